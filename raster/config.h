@@ -1,0 +1,23 @@
+// config.h: the build settings that the exactness of this library rests on, checked.
+#pragma once
+
+#if defined(__FAST_MATH__)
+#error "raster: -ffast-math changes results between builds; this library promises the same bytes everywhere"
+#endif
+
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
+#error "raster: floats must be evaluated as floats (on 32-bit x86 use -msse2 -mfpmath=sse)"
+#endif
+
+namespace raster {
+
+/// Lanes of a pack: how many floats the target's registers hold. It changes speed, never a bit of a picture.
+#if defined(RASTER_LANES)
+inline constexpr int native_lanes = RASTER_LANES;
+#elif defined(__AVX__)
+inline constexpr int native_lanes = 8;
+#else
+inline constexpr int native_lanes = 4;
+#endif
+
+}  // namespace raster

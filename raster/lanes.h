@@ -1,0 +1,474 @@
+// lanes.h: packs of floats, integers and masks, so that one piece of code runs for one pixel or for several at once.
+//
+// All pixel code is a template over F, which is `float` or `FloatPack<N>`. Each function below exists for both and gives
+// each lane exactly what it gives the scalar: lanes change speed, never a bit. Conditions are masks and `select`; there
+// is no `if` on lanes.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include <glm/glm.hpp>
+
+#include <raster/config.h>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace raster {
+
+// ---------------------------------------------------------------------------------------------- storage
+
+#if defined(__GNUC__) && !defined(RASTER_NO_VECTOR_EXTENSIONS)
+#define RASTER_VECTOR_EXTENSIONS 1
+#endif
+
+namespace detail {
+
+#if RASTER_VECTOR_EXTENSIONS
+template <class T, int N>
+struct VectorOf {
+    typedef T type __attribute__((vector_size(sizeof(T) * N)));
+};
+template <class T, int N>
+using Vector = typename VectorOf<T, N>::type;
+#else
+// The same operators in standard C++, for compilers without vector extensions.
+template <class T, int N>
+struct Vector {
+    T lane[N];
+    T& operator[](int i) { return lane[i]; }
+    const T& operator[](int i) const { return lane[i]; }
+#define RASTER_LANE_OPERATOR(op)                                      \
+    friend Vector operator op(const Vector& a, const Vector& b) {     \
+        Vector r;                                                     \
+        for (int i = 0; i < N; ++i) r.lane[i] = T(a.lane[i] op b.lane[i]); \
+        return r;                                                     \
+    }
+    RASTER_LANE_OPERATOR(+)
+    RASTER_LANE_OPERATOR(-)
+    RASTER_LANE_OPERATOR(*)
+    RASTER_LANE_OPERATOR(/)
+    RASTER_LANE_OPERATOR(&)
+    RASTER_LANE_OPERATOR(|)
+    RASTER_LANE_OPERATOR(^)
+#undef RASTER_LANE_OPERATOR
+#define RASTER_LANE_COMPARISON(op)                                                 \
+    friend Vector<std::int32_t, N> operator op(const Vector& a, const Vector& b) { \
+        Vector<std::int32_t, N> r;                                                 \
+        for (int i = 0; i < N; ++i) r.lane[i] = a.lane[i] op b.lane[i] ? -1 : 0;   \
+        return r;                                                                  \
+    }
+    RASTER_LANE_COMPARISON(<)
+    RASTER_LANE_COMPARISON(<=)
+    RASTER_LANE_COMPARISON(>)
+    RASTER_LANE_COMPARISON(>=)
+    RASTER_LANE_COMPARISON(==)
+    RASTER_LANE_COMPARISON(!=)
+#undef RASTER_LANE_COMPARISON
+    friend Vector operator-(const Vector& a) {
+        Vector r;
+        for (int i = 0; i < N; ++i) r.lane[i] = -a.lane[i];
+        return r;
+    }
+    friend Vector operator~(const Vector& a) {
+        Vector r;
+        for (int i = 0; i < N; ++i) r.lane[i] = ~a.lane[i];
+        return r;
+    }
+    friend Vector operator<<(const Vector& a, int n) {
+        Vector r;
+        for (int i = 0; i < N; ++i) r.lane[i] = T(std::uint32_t(a.lane[i]) << n);
+        return r;
+    }
+    friend Vector operator>>(const Vector& a, int n) {
+        Vector r;
+        for (int i = 0; i < N; ++i) r.lane[i] = a.lane[i] >> n;
+        return r;
+    }
+};
+#endif
+
+template <class V, class T>
+inline V splat(T value) {
+    V v;
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(T); ++i) v[int(i)] = value;
+    return v;
+}
+
+template <class To, class From>
+inline To bits(const From& from) {
+    static_assert(sizeof(To) == sizeof(From));
+    To to;
+    std::memcpy(&to, &from, sizeof to);
+    return to;
+}
+
+}  // namespace detail
+
+// ------------------------------------------------------------------------------------------ the three packs
+
+/// N truth values; a true lane is all ones.
+template <int N>
+struct MaskPack {
+    detail::Vector<std::int32_t, N> v;
+
+    MaskPack() = default;
+    MaskPack(detail::Vector<std::int32_t, N> v) : v(v) {}
+    explicit MaskPack(bool all) : v(detail::splat<detail::Vector<std::int32_t, N>, std::int32_t>(all ? -1 : 0)) {}
+
+    friend MaskPack operator&(MaskPack a, MaskPack b) { return a.v & b.v; }
+    friend MaskPack operator|(MaskPack a, MaskPack b) { return a.v | b.v; }
+    friend MaskPack operator!(MaskPack a) { return ~a.v; }
+};
+
+/// N 32-bit integers. Overflow wraps only where a comment at the use says so.
+template <int N>
+struct IntPack {
+    using V = detail::Vector<std::int32_t, N>;
+    V v;
+
+    IntPack() = default;
+    IntPack(V v) : v(v) {}
+    IntPack(std::int32_t all) : v(detail::splat<V>(all)) {}
+
+    friend IntPack operator+(IntPack a, IntPack b) { return a.v + b.v; }
+    friend IntPack operator-(IntPack a, IntPack b) { return a.v - b.v; }
+    friend IntPack operator*(IntPack a, IntPack b) { return a.v * b.v; }
+    friend IntPack operator&(IntPack a, IntPack b) { return a.v & b.v; }
+    friend IntPack operator|(IntPack a, IntPack b) { return a.v | b.v; }
+    friend IntPack operator^(IntPack a, IntPack b) { return a.v ^ b.v; }
+    friend IntPack operator<<(IntPack a, int n) { return a.v << n; }
+    friend IntPack operator>>(IntPack a, int n) { return a.v >> n; }
+    friend MaskPack<N> operator<(IntPack a, IntPack b) { return MaskPack<N>(a.v < b.v); }
+    friend MaskPack<N> operator<=(IntPack a, IntPack b) { return MaskPack<N>(a.v <= b.v); }
+    friend MaskPack<N> operator>(IntPack a, IntPack b) { return MaskPack<N>(a.v > b.v); }
+    friend MaskPack<N> operator>=(IntPack a, IntPack b) { return MaskPack<N>(a.v >= b.v); }
+    friend MaskPack<N> operator==(IntPack a, IntPack b) { return MaskPack<N>(a.v == b.v); }
+    friend MaskPack<N> operator!=(IntPack a, IntPack b) { return MaskPack<N>(a.v != b.v); }
+};
+
+/// N floats. It works as the component type of GLM's vectors: glm::vec<3, FloatPack<8>>.
+template <int N>
+struct FloatPack {
+    using V = detail::Vector<float, N>;
+    V v;
+
+    FloatPack() = default;
+    FloatPack(V v) : v(v) {}
+    FloatPack(float all) : v(detail::splat<V>(all)) {}
+    FloatPack(int all) : FloatPack(float(all)) {}
+    FloatPack(double all) : FloatPack(float(all)) {}
+
+    friend FloatPack operator+(FloatPack a, FloatPack b) { return a.v + b.v; }
+    friend FloatPack operator-(FloatPack a, FloatPack b) { return a.v - b.v; }
+    friend FloatPack operator*(FloatPack a, FloatPack b) { return a.v * b.v; }
+    friend FloatPack operator/(FloatPack a, FloatPack b) { return a.v / b.v; }
+    friend FloatPack operator-(FloatPack a) { return -a.v; }
+    friend MaskPack<N> operator<(FloatPack a, FloatPack b) { return MaskPack<N>(a.v < b.v); }
+    friend MaskPack<N> operator<=(FloatPack a, FloatPack b) { return MaskPack<N>(a.v <= b.v); }
+    friend MaskPack<N> operator>(FloatPack a, FloatPack b) { return MaskPack<N>(a.v > b.v); }
+    friend MaskPack<N> operator>=(FloatPack a, FloatPack b) { return MaskPack<N>(a.v >= b.v); }
+    friend MaskPack<N> operator==(FloatPack a, FloatPack b) { return MaskPack<N>(a.v == b.v); }
+    friend MaskPack<N> operator!=(FloatPack a, FloatPack b) { return MaskPack<N>(a.v != b.v); }
+    FloatPack& operator+=(FloatPack b) { return *this = *this + b; }
+    FloatPack& operator-=(FloatPack b) { return *this = *this - b; }
+    FloatPack& operator*=(FloatPack b) { return *this = *this * b; }
+    FloatPack& operator/=(FloatPack b) { return *this = *this / b; }
+};
+
+// ------------------------------------------------------------------------------- from F to its companions
+
+namespace detail {
+template <class F>
+struct Companions;
+template <>
+struct Companions<float> {
+    using Int = std::int32_t;
+    using Mask = bool;
+    static constexpr int lanes = 1;
+};
+template <int N>
+struct Companions<FloatPack<N>> {
+    using Int = IntPack<N>;
+    using Mask = MaskPack<N>;
+    static constexpr int lanes = N;
+};
+}  // namespace detail
+
+/// The integers that go with F: std::int32_t or IntPack.
+template <class F>
+using Int = typename detail::Companions<F>::Int;
+/// The truth values that go with F: bool or MaskPack.
+template <class F>
+using Mask = typename detail::Companions<F>::Mask;
+/// How many pixels F stands for.
+template <class F>
+inline constexpr int lanes = detail::Companions<F>::lanes;
+
+/// The pack that fits this build's registers.
+using FloatN = FloatPack<native_lanes>;
+
+/// GLM's vector and matrix over F.
+template <int L, class F>
+using vec = glm::vec<L, F, glm::defaultp>;
+template <int C, int R, class F>
+using mat = glm::mat<C, R, F, glm::defaultp>;
+
+// ------------------------------------------------------------------------------------------------ choosing
+
+inline float select(bool m, float a, float b) { return m ? a : b; }
+inline std::int32_t select(bool m, std::int32_t a, std::int32_t b) { return m ? a : b; }
+/// Lane by lane: a where m is true, else b.
+template <int N>
+inline IntPack<N> select(MaskPack<N> m, std::type_identity_t<IntPack<N>> a, std::type_identity_t<IntPack<N>> b) {
+    return (m.v & a.v) | (~m.v & b.v);
+}
+template <int N>
+inline FloatPack<N> select(MaskPack<N> m, std::type_identity_t<FloatPack<N>> a, std::type_identity_t<FloatPack<N>> b) {
+#if RASTER_VECTOR_EXTENSIONS
+    return m.v ? a.v : b.v;
+#else
+    using I = detail::Vector<std::int32_t, N>;
+    return detail::bits<typename FloatPack<N>::V>(
+        select(m, IntPack<N>(detail::bits<I>(a.v)), IntPack<N>(detail::bits<I>(b.v))).v);
+#endif
+}
+template <int L, class F>
+inline vec<L, F> select(Mask<F> m, const vec<L, F>& a, const vec<L, F>& b) {
+    vec<L, F> r;
+    for (int i = 0; i < L; ++i) r[i] = select(m, a[i], b[i]);
+    return r;
+}
+
+inline bool any(bool m) { return m; }
+inline bool all(bool m) { return m; }
+inline std::uint32_t bitmask(bool m) { return m ? 1 : 0; }
+/// One bit a lane, lane 0 in bit 0.
+template <int N>
+inline std::uint32_t bitmask(MaskPack<N> m) {
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) return std::uint32_t(_mm256_movemask_ps(detail::bits<__m256>(m.v)));
+#endif
+#if defined(__SSE2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 4) return std::uint32_t(_mm_movemask_ps(detail::bits<__m128>(m.v)));
+#endif
+    std::uint32_t r = 0;
+    for (int i = 0; i < N; ++i) r |= std::uint32_t(m.v[i] & 1) << i;
+    return r;
+}
+template <int N>
+inline bool any(MaskPack<N> m) { return bitmask(m) != 0; }
+template <int N>
+inline bool all(MaskPack<N> m) { return bitmask(m) == (N == 32 ? ~0u : (1u << (N & 31)) - 1u); }
+
+/// min and max as one comparison, so that NaN and -0 give the same everywhere: min(a, b) is `a < b ? a : b`.
+template <class F>
+    requires requires { typename detail::Companions<F>::Int; }
+inline F min(F a, std::type_identity_t<F> b) { return select(a < b, a, b); }
+template <class F>
+    requires requires { typename detail::Companions<F>::Int; }
+inline F max(F a, std::type_identity_t<F> b) { return select(a > b, a, b); }
+template <class F>
+    requires requires { typename detail::Companions<F>::Int; }
+inline F clamp(F x, std::type_identity_t<F> low, std::type_identity_t<F> high) { return min(max(x, low), high); }
+
+// ---------------------------------------------------------------------------------------- exact functions
+
+inline float sqrt(float x) { return std::sqrt(x); }
+template <int N>
+inline FloatPack<N> sqrt(FloatPack<N> x) {
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) return detail::bits<typename FloatPack<N>::V>(_mm256_sqrt_ps(detail::bits<__m256>(x.v)));
+#endif
+#if defined(__SSE2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 4) return detail::bits<typename FloatPack<N>::V>(_mm_sqrt_ps(detail::bits<__m128>(x.v)));
+#endif
+    FloatPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = std::sqrt(x.v[i]);
+    return r;
+}
+
+inline float abs(float x) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7fffffffu); }
+template <int N>
+inline FloatPack<N> abs(FloatPack<N> x) {
+    const IntPack<N> i = detail::bits<detail::Vector<std::int32_t, N>>(x.v);
+    return detail::bits<typename FloatPack<N>::V>((i & IntPack<N>(0x7fffffff)).v);
+}
+
+/// The bits of a float as an integer, and back.
+inline std::int32_t as_int(float x) { return std::bit_cast<std::int32_t>(x); }
+inline float as_float(std::int32_t x) { return std::bit_cast<float>(x); }
+template <int N>
+inline IntPack<N> as_int(FloatPack<N> x) { return detail::bits<detail::Vector<std::int32_t, N>>(x.v); }
+template <int N>
+inline FloatPack<N> as_float(IntPack<N> x) { return detail::bits<typename FloatPack<N>::V>(x.v); }
+
+inline float to_float(std::int32_t x) { return float(x); }
+template <int N>
+inline FloatPack<N> to_float(IntPack<N> x) {
+#if RASTER_VECTOR_EXTENSIONS
+    return __builtin_convertvector(x.v, typename FloatPack<N>::V);
+#else
+    FloatPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = float(x.v[i]);
+    return r;
+#endif
+}
+
+/// Toward zero. |x| < 2^31 in every lane, dead lanes included: the caller clamps.
+inline std::int32_t truncate_to_int(float x) { return std::int32_t(x); }
+template <int N>
+inline IntPack<N> truncate_to_int(FloatPack<N> x) {
+#if RASTER_VECTOR_EXTENSIONS
+    return __builtin_convertvector(x.v, detail::Vector<std::int32_t, N>);
+#else
+    IntPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = std::int32_t(x.v[i]);
+    return r;
+#endif
+}
+
+/// To the nearest integer, halves to even (IEEE 754, 4.3.1). |x| < 2^31 in every lane: the caller clamps.
+inline std::int32_t round_to_int(float x) {
+#if defined(__SSE2__)
+    return _mm_cvtss_si32(_mm_set_ss(x));
+#else
+    return std::int32_t(std::lrint(x));
+#endif
+}
+template <int N>
+inline IntPack<N> round_to_int(FloatPack<N> x) {
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) return detail::bits<typename IntPack<N>::V>(_mm256_cvtps_epi32(detail::bits<__m256>(x.v)));
+#endif
+#if defined(__SSE2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 4) return detail::bits<typename IntPack<N>::V>(_mm_cvtps_epi32(detail::bits<__m128>(x.v)));
+#endif
+    IntPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = round_to_int(x.v[i]);
+    return r;
+}
+
+/// The largest integer not above x, as an integer. |x| < 2^31.
+template <class F>
+inline Int<F> floor_to_int(F x) {
+    const Int<F> t = truncate_to_int(x);
+    return select(to_float(t) > x, t - Int<F>(1), t);
+}
+/// The same as a float. |x| < 2^31.
+template <class F>
+    requires requires { typename detail::Companions<F>::Int; }
+inline F floor(F x) { return to_float(floor_to_int(x)); }
+
+// ------------------------------------------------------------------------------------------ memory and lanes
+
+/// One lane of a pack, as a scalar.
+inline float lane(float x, int) { return x; }
+inline std::int32_t lane(std::int32_t x, int) { return x; }
+inline bool lane(bool x, int) { return x; }
+template <int N>
+inline float lane(FloatPack<N> x, int i) { return x.v[i]; }
+template <int N>
+inline std::int32_t lane(IntPack<N> x, int i) { return x.v[i]; }
+template <int N>
+inline bool lane(MaskPack<N> x, int i) { return x.v[i] != 0; }
+
+/// 0, 1, 2, ... in the lanes.
+template <class F>
+inline Int<F> lane_index() {
+    if constexpr (lanes<F> == 1) {
+        return 0;
+    } else {
+        Int<F> r;
+        for (int i = 0; i < lanes<F>; ++i) r.v[i] = i;
+        return r;
+    }
+}
+
+/// lanes<F> consecutive values from memory, and back. No alignment is asked.
+template <class F>
+inline F load(const float* p) {
+    if constexpr (lanes<F> == 1) {
+        return *p;
+    } else {
+        F r;
+        std::memcpy(&r.v, p, sizeof r.v);
+        return r;
+    }
+}
+template <class F>
+inline Int<F> load_int(const void* p) {
+    Int<F> r;
+    std::memcpy(&r, p, sizeof r);
+    return r;
+}
+inline void store(float* p, float x) { *p = x; }
+template <int N>
+inline void store(float* p, FloatPack<N> x) { std::memcpy(p, &x.v, sizeof x.v); }
+inline void store_int(void* p, std::int32_t x) { std::memcpy(p, &x, sizeof x); }
+template <int N>
+inline void store_int(void* p, IntPack<N> x) { std::memcpy(p, &x.v, sizeof x.v); }
+
+/// base[index] in each lane. Every index is in range, dead lanes included: the caller clamps.
+inline float gather(const float* base, std::int32_t index) { return base[index]; }
+inline std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
+template <int N>
+inline FloatPack<N> gather(const float* base, IntPack<N> index) {
+    FloatPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
+    return r;
+}
+template <int N>
+inline IntPack<N> gather(const std::int32_t* base, IntPack<N> index) {
+#if defined(__AVX2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) {
+        return detail::bits<detail::Vector<std::int32_t, N>>(
+            _mm256_i32gather_epi32(base, detail::bits<__m256i>(index.v), 4));
+    }
+#endif
+    IntPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
+    return r;
+}
+
+// -------------------------------------------------------------------------- GLM where it needs a little help
+
+// Uniforms are plain floats and plain vectors; GLM's operators want equal component types, so these widen them.
+#define RASTER_MIXED_OPERATOR(op)                                                                            \
+    template <int L, int N>                                                                                  \
+    inline vec<L, FloatPack<N>> operator op(const vec<L, FloatPack<N>>& a, std::type_identity_t<float> b) {  \
+        return a op FloatPack<N>(b);                                                                         \
+    }                                                                                                        \
+    template <int L, int N>                                                                                  \
+    inline vec<L, FloatPack<N>> operator op(std::type_identity_t<float> a, const vec<L, FloatPack<N>>& b) {  \
+        return FloatPack<N>(a) op b;                                                                         \
+    }                                                                                                        \
+    template <int L, int N>                                                                                  \
+    inline vec<L, FloatPack<N>> operator op(const vec<L, FloatPack<N>>& a, const vec<L, float>& b) {         \
+        return a op vec<L, FloatPack<N>>(b);                                                                 \
+    }                                                                                                        \
+    template <int L, int N>                                                                                  \
+    inline vec<L, FloatPack<N>> operator op(const vec<L, float>& a, const vec<L, FloatPack<N>>& b) {         \
+        return vec<L, FloatPack<N>>(a) op b;                                                                 \
+    }
+RASTER_MIXED_OPERATOR(+)
+RASTER_MIXED_OPERATOR(-)
+RASTER_MIXED_OPERATOR(*)
+RASTER_MIXED_OPERATOR(/)
+#undef RASTER_MIXED_OPERATOR
+
+/// dot(a, b) clamped below at 0, the cosine that lighting wants.
+template <int L, class F>
+inline F dot0(const vec<L, F>& a, const vec<L, F>& b) { return max(glm::dot(a, b), F(0)); }
+
+}  // namespace raster
+
+/// GLM asserts that a vector's component is an IEC 559 type; each lane of a FloatPack is.
+template <int N>
+struct std::numeric_limits<raster::FloatPack<N>> : std::numeric_limits<float> {};
