@@ -1,0 +1,102 @@
+// clip.h: stage 3, cutting triangles at the six planes of the view volume (Sutherland and Hodgman 1974).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <raster/stages/vertex.h>
+
+namespace raster {
+
+/// The planes in the order in which they cut. Inside is where the distance is not negative.
+enum class ClipPlane { right, left, top, bottom, near, far };
+inline constexpr int clip_plane_count = 6;
+
+/// Coefficients over (x, y, z, w) of clip space.
+inline constexpr std::array<glm::vec4, clip_plane_count> clip_planes = {
+    glm::vec4(-1, 0, 0, 1), glm::vec4(1, 0, 0, 1), glm::vec4(0, -1, 0, 1),
+    glm::vec4(0, 1, 0, 1),  glm::vec4(0, 0, 1, 1), glm::vec4(0, 0, -1, 1)};
+
+/// Bit i is set where the position is outside plane i.
+template <class F>
+inline Int<F> outcode(const vec<4, F>& clip) {
+    const auto bit = [](Mask<F> outside, int plane) { return select(outside, Int<F>(1 << plane), Int<F>(0)); };
+    return bit(clip.x > clip.w, 0) | bit(clip.x + clip.w < F(0), 1) | bit(clip.y > clip.w, 2) |
+           bit(clip.y + clip.w < F(0), 3) | bit(clip.z + clip.w < F(0), 4) | bit(clip.z > clip.w, 5);
+}
+
+/// Whether all four components are numbers; others never reach fixed point.
+template <class F>
+inline Mask<F> is_finite(const vec<4, F>& clip) {
+    // x - x is 0 for numbers and NaN for NaN and both infinities.
+    return ((clip.x - clip.x) + (clip.y - clip.y)) + ((clip.z - clip.z) + (clip.w - clip.w)) == F(0);
+}
+
+/// The signed distance to a plane, scaled by the length of its normal.
+inline float clip_distance(ClipPlane plane, const glm::vec4& clip) {
+    const glm::vec4& p = clip_planes[std::size_t(plane)];
+    return ((clip.x * p.x + clip.y * p.y) + clip.z * p.z) + clip.w * p.w;
+}
+
+/// A convex polygon on its way through the planes. Each plane adds at most one corner to a triangle's three.
+template <std::size_t N>
+struct ClipPolygon {
+    using Vertex = ShadedVertex<float, N>;
+    std::array<Vertex, 3 + clip_plane_count> corners;
+    int count = 0;
+    bool clipped = false;  ///< a plane has cut it
+
+    void add(const Vertex& v) { corners[std::size_t(count++)] = v; }
+};
+
+/// The point where the edge from `a` to `b` meets the plane, with t in 0..1 from a. Position and varyings are
+/// interpolated alike, in clip space, where both are linear.
+template <std::size_t N>
+inline ShadedVertex<float, N> clip_intersection(const ShadedVertex<float, N>& a, const ShadedVertex<float, N>& b,
+                                                float t) {
+    ShadedVertex<float, N> r;
+    for (int i = 0; i < 4; ++i) r.clip[i] = a.clip[i] + t * (b.clip[i] - a.clip[i]);
+    for (std::size_t i = 0; i < N; ++i) r.varyings[i] = a.varyings[i] + t * (b.varyings[i] - a.varyings[i]);
+    return r;
+}
+
+/// The part of the polygon on the inner side of one plane. Empty when a distance is not finite.
+template <std::size_t N>
+inline ClipPolygon<N> clip_against(ClipPlane plane, const ClipPolygon<N>& polygon) {
+    ClipPolygon<N> result;
+    result.clipped = true;
+    for (int i = 0; i < polygon.count; ++i) {
+        const auto& a = polygon.corners[std::size_t(i)];
+        const auto& b = polygon.corners[std::size_t(i + 1 == polygon.count ? 0 : i + 1)];
+        const float da = clip_distance(plane, a.clip);
+        const float db = clip_distance(plane, b.clip);
+        if (!std::isfinite(da) || !std::isfinite(db)) return {};
+        if (da >= 0) result.add(a);
+        if ((da >= 0) != (db >= 0)) {
+            // Starting from the nearer end keeps the new corner close to where both neighbours of this edge put it.
+            const bool from_a = da >= 0 ? !(-db < da) : -da < db;
+            result.add(from_a ? clip_intersection(a, b, da / (da - db)) : clip_intersection(b, a, db / (db - da)));
+        }
+    }
+    return result;
+}
+
+/// The part of a triangle inside all planes that `outside`, the union of its corners' outcodes, names. seen(plane,
+/// before, after) is called for each cut.
+template <std::size_t N, class Seen>
+inline ClipPolygon<N> clip_triangle(ClipPolygon<N> polygon, std::int32_t outside, const Seen& seen) {
+    for (int plane = 0; plane < clip_plane_count && polygon.count >= 3; ++plane) {
+        if (!(outside & (1 << plane))) continue;
+        const ClipPolygon<N> before = polygon;
+        polygon = clip_against(ClipPlane(plane), before);
+        seen(ClipPlane(plane), before, polygon);
+    }
+    return polygon;
+}
+
+/// Triangle i of the fan that a clipped polygon is drawn as, i from 0 to count - 3: its corners' places. The order
+/// keeps the winding, and puts corner 0 last.
+inline std::array<int, 3> clip_fan(int i) { return {i + 1, i + 2, 0}; }
+
+}  // namespace raster

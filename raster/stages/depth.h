@@ -1,0 +1,44 @@
+// depth.h: stage 8, the z-buffer (Catmull 1974): encode a depth, compare it with the stored one.
+#pragma once
+
+#include <cstdint>
+
+#include <raster/lanes.h>
+#include <raster/state.h>
+
+namespace raster {
+
+enum class DepthFormat {
+    unorm24,  ///< round(z * (2^24 - 1)), as OpenGL's 24-bit depth buffers
+    float32,  ///< the bits of z, which for z >= 0 order as integers
+};
+
+/// Window z, clamped to 0..1, as the integer that is stored and compared. NaN becomes 0.
+template <class F>
+inline Int<F> encode_depth(DepthFormat format, F z) {
+    const F clamped = min(max(z, F(0)), F(1));
+    return format == DepthFormat::unorm24 ? round_to_int(clamped * F(16777215.0f)) : as_int(clamped);
+}
+
+inline float decode_depth(DepthFormat format, std::uint32_t stored) {
+    return format == DepthFormat::unorm24 ? float(double(stored) / 16777215.0) : as_float(std::int32_t(stored));
+}
+
+/// Whether an incoming depth passes. I is std::int32_t or IntPack.
+template <class I>
+inline auto depth_passes(Compare compare, I incoming, I stored) -> decltype(incoming < stored) {
+    using M = decltype(incoming < stored);
+    switch (compare) {
+        case Compare::never: return M(false);
+        case Compare::less: return incoming < stored;
+        case Compare::equal: return incoming == stored;
+        case Compare::less_equal: return incoming <= stored;
+        case Compare::greater: return incoming > stored;
+        case Compare::not_equal: return incoming != stored;
+        case Compare::greater_equal: return incoming >= stored;
+        case Compare::always: break;
+    }
+    return M(true);
+}
+
+}  // namespace raster

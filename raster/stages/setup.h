@@ -1,0 +1,112 @@
+// setup.h: stage 6, what is computed once a triangle: three edge functions, and a plane for each interpolated value.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include <raster/stages/cull.h>
+
+namespace raster {
+
+/// An edge function (Pineda 1988): e(px, py) = origin + 256 (step_x px + step_y py) at the centre of pixel (px, py),
+/// in square subpixels, exact. Positive on the inner side, 0 on the edge.
+struct Edge {
+    std::int32_t step_x;  ///< change a subpixel to the right
+    std::int32_t step_y;  ///< change a subpixel down
+    std::int64_t origin;  ///< value at the centre of pixel (0, 0)
+    bool inclusive;       ///< whether a centre exactly on this edge belongs to the triangle
+};
+
+/// The edge from a to b of a triangle that runs counter-clockwise on the picture, so that the inside is to its left.
+inline Edge make_edge(const SubpixelVertex<float>& a, const SubpixelVertex<float>& b, FillRule rule) {
+    const std::int32_t step_x = b.y - a.y;
+    const std::int32_t step_y = a.x - b.x;
+    // Counter-clockwise, left edges go down; bottom edges go right and top edges left, along a row.
+    const bool left = step_x > 0;
+    const bool owned_row = step_x == 0 && (rule == FillRule::bottom_left ? step_y < 0 : step_y > 0);
+    return {step_x, step_y, -(std::int64_t(step_x) * a.x + std::int64_t(step_y) * a.y), left || owned_row};
+}
+
+/// A value that is linear over the window: value(px, py) = (dady py) + ((dadx px) + origin), at pixel centres.
+template <class F>
+struct Plane {
+    F origin, dadx, dady;
+};
+
+/// What all planes of one triangle share: the first corner, and two edges divided by the area. From unsnapped positions.
+template <class F>
+struct PlaneBasis {
+    F x0, y0;  ///< window position of corner 0 relative to the centre of pixel (0, 0)
+    F dx01, dy01, dx20, dy20;
+};
+
+template <class F>
+inline PlaneBasis<F> make_plane_basis(const WindowVertex<F>& v0, const WindowVertex<F>& v1, const WindowVertex<F>& v2) {
+    const F dx01 = v0.x - v1.x, dy01 = v0.y - v1.y;
+    const F dx20 = v2.x - v0.x, dy20 = v2.y - v0.y;
+    const F ooa = F(1) / (dx01 * dy20 - dy01 * dx20);
+    return {v0.x - F(0.5f), v0.y - F(0.5f), dx01 * ooa, dy01 * ooa, dx20 * ooa, dy20 * ooa};
+}
+
+/// The plane through a0, a1, a2 at the three corners.
+template <class F>
+inline Plane<F> make_plane(const PlaneBasis<F>& b, F a0, F a1, F a2) {
+    const F d01 = a0 - a1, d20 = a2 - a0;
+    const F dadx = d01 * b.dy20 - d20 * b.dy01;
+    const F dady = d20 * b.dx01 - d01 * b.dx20;
+    return {a0 - (dadx * b.x0 + dady * b.y0), dadx, dady};
+}
+
+/// The value of a plane at the centre of pixel (px, py), given as floats. A closed form: no value depends on where a
+/// loop began, so any split into tiles, lanes and threads gives the same bits.
+template <class F>
+inline F value_at(const Plane<F>& p, F px, F py) {
+    return (p.dady * py) + ((p.dadx * px) + p.origin);
+}
+
+/// The pixels whose centres lie in the triangle's bounding box; empty when min > max.
+struct PixelBox {
+    int min_x, min_y, max_x, max_y;  ///< both ends included
+
+    bool empty() const { return min_x > max_x || min_y > max_y; }
+};
+
+inline PixelBox bounding_pixels(const std::array<SubpixelVertex<float>, 3>& v, int width, int height) {
+    const auto [min_x, max_x] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [min_y, max_y] = std::minmax({v[0].y, v[1].y, v[2].y});
+    return {std::max((min_x + subpixels - 1) >> subpixel_bits, 0), std::max((min_y + subpixels - 1) >> subpixel_bits, 0),
+            std::min(max_x >> subpixel_bits, width - 1), std::min(max_y >> subpixel_bits, height - 1)};
+}
+
+/// The corners of a triangle in the order in which it is set up: 0 and 1 are exchanged when it runs clockwise.
+inline std::array<int, 3> setup_order(std::int64_t area) {
+    return area < 0 ? std::array{1, 0, 2} : std::array{0, 1, 2};
+}
+
+/// Everything about a triangle that its pixels share, but for the varyings' planes (interpolate.h).
+struct TriangleSetup {
+    std::array<int, 3> order;   ///< which corner is 0, 1, 2 below
+    std::array<Edge, 3> edges;  ///< from 0 to 1, 1 to 2, 2 to 0
+    PlaneBasis<float> basis;
+    Plane<float> depth;
+    PixelBox box;
+};
+
+inline TriangleSetup make_setup(const std::array<WindowVertex<float>, 3>& window,
+                                const std::array<SubpixelVertex<float>, 3>& subpixel, std::int64_t area, FillRule rule,
+                                int width, int height) {
+    TriangleSetup s;
+    s.order = setup_order(area);
+    const auto corner = [&](int i) { return std::size_t(s.order[std::size_t(i)]); };
+    for (int i = 0; i < 3; ++i)
+        s.edges[std::size_t(i)] = make_edge(subpixel[corner(i)], subpixel[corner((i + 1) % 3)], rule);
+    const auto &v0 = window[corner(0)], &v1 = window[corner(1)], &v2 = window[corner(2)];
+    s.basis = make_plane_basis(v0, v1, v2);
+    s.depth = make_plane(s.basis, v0.z, v1.z, v2.z);
+    s.box = bounding_pixels(subpixel, width, height);
+    return s;
+}
+
+}  // namespace raster

@@ -1,0 +1,84 @@
+// target.h: what is drawn into: a colour plane, a depth plane and any number of extra float planes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <raster/image/image.h>
+#include <raster/stages/blend.h>
+#include <raster/stages/depth.h>
+
+namespace raster {
+
+/// The largest width or height of a target: 14 bits of pixel and 8 of subpixel keep every tile-local edge value in
+/// 32 bits and every edge value below 2^53.
+inline constexpr int max_target_size = 16384;
+
+enum class ColorFormat {
+    rgba8,  ///< 8 bits a channel; fragments are rounded and blended there, as in OpenGL
+    rgba_float,
+};
+
+/// Planes of one size, rows from top to bottom. The colour plane holds what fragments return, with no transfer curve.
+class Target {
+public:
+    /// 1 <= width, height <= max_target_size. extra_channels float planes are filled by shaders with Outputs.
+    Target(int width, int height, ColorFormat color_format = ColorFormat::rgba8,
+           DepthFormat depth_format = DepthFormat::unorm24, int extra_channels = 0)
+        : width_(width),
+          height_(height),
+          color_format_(color_format),
+          depth_format_(depth_format),
+          color8_(color_format == ColorFormat::rgba8 ? pixels() : 0),
+          color_float_(color_format == ColorFormat::rgba_float ? pixels() : 0),
+          depth_(pixels()),
+          extra_(std::size_t(extra_channels), std::vector<float>(pixels())) {
+        clear({0, 0, 0, 0});
+    }
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    ColorFormat color_format() const { return color_format_; }
+    DepthFormat depth_format() const { return depth_format_; }
+    int extra_channels() const { return int(extra_.size()); }
+
+    /// Colour everywhere, depth (0 near to 1 far) everywhere, 0 in the extra planes.
+    void clear(glm::vec4 color, float depth = 1.0f);
+
+    /// The stored planes: colour as r | g << 8 | b << 16 | a << 24, or four floats; depth as encode_depth gives it.
+    std::vector<std::uint32_t>& color8() { return color8_; }
+    std::vector<glm::vec4>& color_float() { return color_float_; }
+    std::vector<std::uint32_t>& depth() { return depth_; }
+    std::vector<float>& extra(int channel) { return extra_[std::size_t(channel)]; }
+    const std::vector<std::uint32_t>& color8() const { return color8_; }
+    const std::vector<glm::vec4>& color_float() const { return color_float_; }
+    const std::vector<std::uint32_t>& depth() const { return depth_; }
+    const std::vector<float>& extra(int channel) const { return extra_[std::size_t(channel)]; }
+
+    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + std::size_t(x); }
+    /// The colour of one pixel, 0 to 1 a channel for rgba8.
+    glm::vec4 color(int x, int y) const;
+    /// The depth of one pixel, 0 near to 1 far.
+    float depth(int x, int y) const { return decode_depth(depth_format_, depth_[index(x, y)]); }
+
+    /// Copies as images: RGBA (floats are clamped and rounded as rgba8 would be), RGBA float, depth as one channel.
+    Image8 color_image() const;
+    ImageF color_image_float() const;
+    ImageF depth_image() const;
+    ImageF extra_image(int channel) const;
+
+private:
+    std::size_t pixels() const { return std::size_t(width_) * std::size_t(height_); }
+
+    int width_, height_;
+    ColorFormat color_format_;
+    DepthFormat depth_format_;
+    std::vector<std::uint32_t> color8_;
+    std::vector<glm::vec4> color_float_;
+    std::vector<std::uint32_t> depth_;
+    std::vector<std::vector<float>> extra_;
+};
+
+}  // namespace raster
