@@ -1,0 +1,37 @@
+// file.h: writing that leaves a whole file or none, and reading that neither hangs nor exhausts memory.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <raster/result.h>
+
+namespace raster {
+
+using Bytes = std::vector<std::byte>;
+
+/// Writes `bytes` to `path`, so that at any moment, a crash or kill -9 included, the path names either the
+/// old file whole or the new one whole: the bytes go to a temporary file in the same folder (named
+/// `.raster-*.tmp`; a killed process can leave one behind), fsync, then rename.
+///
+/// - "-" and "/dev/stdout" are standard output.
+/// - A symbolic link stays; the file it leads to is replaced, or made if it is missing.
+/// - Devices, pipes and the like (/dev/null, a FIFO) are written directly.
+/// - A new file gets the mode the umask allows; a replaced one keeps its mode and, where permitted, its
+///   owner. A file we may not write (chmod a-w) is not replaced.
+///
+/// Errors are input_output, in the system's words; the old file is then untouched and no temporary is left.
+Status write_file(const std::string& path, std::span<const std::byte> bytes);
+
+/// Whether write_file has a chance: the folder is there and can be written, the target is no folder and may
+/// be written. To be asked before a long rendering; a full disk shows itself only when written to.
+Status check_writable(const std::string& path);
+
+/// Reads a regular file of at most `max_bytes` bytes whole. A folder, FIFO or device is refused, without
+/// waiting for its other end (input_output); so is a file that cannot be opened or read. A larger file is
+/// bad_input and is refused before memory is taken.
+Result<Bytes> read_file(const std::string& path, std::size_t max_bytes);
+
+}  // namespace raster
