@@ -19,8 +19,9 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 glm::dvec4 apply(const glm::mat4& m, const glm::vec3& p) {
     glm::dvec4 r(0.0);
+    const glm::dvec4 v(p, 1.0);
     for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) r[row] += double(m[column][row]) * (column < 3 ? double(p[column]) : 1);
+        for (int row = 0; row < 4; ++row) r[row] += double(m[column][row]) * v[column];
     return r;
 }
 

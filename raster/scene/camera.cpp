@@ -75,8 +75,8 @@ Status check_lens(const Camera& camera, double aspect) {
 std::array<glm::dvec3, 8> corners_of(const Box& box) {
     glm::dvec3 low, high;
     for (int i = 0; i < 3; ++i) {
-        low[i] = std::isnan(box.min[i]) ? 0 : std::clamp(double(box.min[i]), -1e30, 1e30);
-        high[i] = std::isnan(box.max[i]) ? 0 : std::clamp(double(box.max[i]), -1e30, 1e30);
+        low[i] = std::isnan(box.min[i]) ? 0 : std::clamp(double(box.min[i]), -1e25, 1e25);
+        high[i] = std::isnan(box.max[i]) ? 0 : std::clamp(double(box.max[i]), -1e25, 1e25);
     }
     const bool empty = low.x > high.x || low.y > high.y || low.z > high.z;
     if (empty) low = high = glm::dvec3(0.0);
