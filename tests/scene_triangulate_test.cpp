@@ -96,9 +96,7 @@ Polygon comb(int teeth) {
     return p;
 }
 
-TEST(Triangulate, ATriangleIsItself) {
-    EXPECT_EQ(triangulate({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (Corners{0, 1, 2}));
-}
+TEST(Triangulate, ATriangleIsItself) { EXPECT_EQ(triangulate({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (Corners{0, 1, 2})); }
 
 TEST(Triangulate, AConvexPolygonIsAFanFromItsFirstCorner) {
     EXPECT_EQ(triangulate({{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}), (Corners{0, 1, 2, 0, 2, 3}));

@@ -188,9 +188,7 @@ void Triangulator::enqueue_all() {
 
 void Triangulator::enqueue(std::uint32_t v) { queue_.push_back({v, ring_[v].version}); }
 
-void Triangulator::classify(std::uint32_t v) {
-    set_blocks(v, !(turn(ring_[v].previous, v, ring_[v].next) > 0));
-}
+void Triangulator::classify(std::uint32_t v) { set_blocks(v, !(turn(ring_[v].previous, v, ring_[v].next) > 0)); }
 
 /// A way out and straight back, or two corners in one place: it holds no area and goes without a triangle.
 bool Triangulator::is_spike(std::uint32_t v) const {

@@ -35,9 +35,9 @@ private:
         std::uint32_t corner;    ///< its number in the input
         std::uint32_t previous;  ///< neighbours in what is left of the polygon
         std::uint32_t next;
-        std::uint32_t version;   ///< counts the changes of neighbours
-        std::uint32_t place;     ///< in places_
-        bool blocks;             ///< reflex or straight: the only ones that can lie in another vertex's ear
+        std::uint32_t version;  ///< counts the changes of neighbours
+        std::uint32_t place;    ///< in places_
+        bool blocks;            ///< reflex or straight: the only ones that can lie in another vertex's ear
         bool alive;
     };
     struct Place {  ///< what the search needs of a vertex, side by side in memory
@@ -73,14 +73,14 @@ private:
     double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
     std::vector<Vertex> ring_;
-    std::vector<Node> tree_;  ///< a heap: the children of i are 2i + 1 and 2i + 2
+    std::vector<Node> tree_;     ///< a heap: the children of i are 2i + 1 and 2i + 2
     std::vector<Place> places_;  ///< in z-order
     std::vector<std::uint64_t> keys_;
     std::vector<Candidate> queue_;
     std::size_t queue_head_ = 0;
     std::uint32_t leaves_ = 0;
-    std::uint32_t left_ = 0;   ///< vertices not cut off yet
-    std::int64_t visits_ = 0;  ///< tree nodes that this polygon may still look at
+    std::uint32_t left_ = 0;              ///< vertices not cut off yet
+    std::int64_t visits_ = 0;             ///< tree nodes that this polygon may still look at
     std::int64_t savings_ = 400'000'000;  ///< what all polygons may use beyond their share
 };
 

@@ -1,0 +1,160 @@
+// normals.cpp: sums of face normals around each position, with the crease rule.
+#include <raster/scene/normals.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <raster/math.h>
+#include <raster/scene/obj_dedup.h>
+
+namespace raster {
+namespace {
+
+constexpr std::size_t most_compared = 128;
+
+/// A face's unit normal and twice its area; zero for one without area.
+struct Facet {
+    glm::vec3 normal{0.0f};
+    double weight = 0;
+};
+
+/// Newell's method, in double, which neither overflows nor loses the small ones for any float positions.
+Facet make_facet(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners) {
+    glm::dvec3 area(0.0);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const glm::dvec3 a(positions[corners[0]]), b(positions[corners[i]]), c(positions[corners[i + 1]]);
+        area += glm::cross(b - a, c - a);
+    }
+    const double length = std::sqrt(glm::dot(area, area));
+    return length > 0 ? Facet{glm::vec3(area / length), length} : Facet{};
+}
+
+/// For each corner, its face.
+std::vector<std::uint32_t> find_faces(const Faces& faces) {
+    std::vector<std::uint32_t> face_of(faces.corners.size());
+    if (faces.ends.empty()) {
+        for (std::size_t c = 0; c < face_of.size(); ++c) face_of[c] = std::uint32_t(c / 3);
+    } else {
+        for (std::uint32_t f = 0, c = 0; f < faces.ends.size(); ++f)
+            while (c < faces.ends[f]) face_of[c++] = f;
+    }
+    return face_of;
+}
+
+/// For each distinct position, the corners that stand there, in order.
+struct Meetings {
+    std::vector<std::uint32_t> first;  ///< into corners; one more entry than positions
+    std::vector<std::uint32_t> corners;
+};
+
+Meetings find_meetings(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners) {
+    std::vector<std::uint32_t> place(positions.size());
+    std::uint32_t places = 0;
+    {
+        std::vector<glm::vec3> distinct;
+        obj::Dedup<glm::vec3> number(distinct);
+        for (std::size_t i = 0; i < positions.size(); ++i) place[i] = number(positions[i] + 0.0f);  // -0 becomes 0
+        places = std::uint32_t(distinct.size());
+    }
+    Meetings m;
+    m.first.assign(places + 1, 0);
+    for (const std::uint32_t i : corners) ++m.first[place[i] + 1];
+    for (std::uint32_t p = 0; p < places; ++p) m.first[p + 1] += m.first[p];
+    m.corners.resize(corners.size());
+    // Filling from the back, each start moves from the end of its list to the front.
+    std::vector<std::uint32_t> end(m.first.begin() + 1, m.first.end());
+    for (std::size_t c = corners.size(); c-- > 0;) m.corners[--end[place[corners[c]]]] = std::uint32_t(c);
+    return m;
+}
+
+class Smoother {
+public:
+    Smoother(std::span<const glm::vec3> positions, const Faces& faces, const Creases& creases)
+        : groups_(faces.groups),
+          face_of_(find_faces(faces)),
+          within_groups_(creases.within_groups),
+          // A hair of tolerance, so that 90 degrees includes the cube's.
+          least_cosine_(float(sin_cos_degrees(double(creases.angle)).cos) - 1e-6f) {
+        const std::size_t count = faces.ends.empty() ? faces.corners.size() / 3 : faces.ends.size();
+        facets_.reserve(count);
+        for (std::size_t f = 0, first = 0, end = 0; f < count; ++f, first = end) {
+            end = faces.ends.empty() ? first + 3 : faces.ends[f];
+            facets_.push_back(make_facet(positions, faces.corners.subspan(first, end - first)));
+        }
+    }
+
+    /// The normals of all corners that meet in one position.
+    void smooth(std::span<const std::uint32_t> corners, std::vector<glm::vec3>& normals) const {
+        for (const std::uint32_t corner : corners) {
+            glm::dvec3 sum(0.0);
+            for (const std::uint32_t other : corners)
+                if (shares(face_of_[corner], face_of_[other])) sum += weighted(other);
+            normals[corner] = unit(sum, corner);
+        }
+    }
+
+    /// The same for many corners: one sum a group.
+    void smooth_many(std::span<const std::uint32_t> corners, std::vector<glm::vec3>& normals) const {
+        const auto group_at = [&](std::uint32_t corner) { return group(face_of_[corner]); };
+        std::vector<std::uint32_t> sorted(corners.begin(), corners.end());
+        std::stable_sort(sorted.begin(), sorted.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return group_at(a) < group_at(b); });
+        for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
+            glm::dvec3 sum(0.0);
+            const std::uint32_t g = group_at(sorted[first]);
+            for (last = first; last < sorted.size() && group_at(sorted[last]) == g; ++last)
+                sum += weighted(sorted[last]);
+            for (std::size_t i = first; i < last; ++i)
+                normals[sorted[i]] = unit(g == smoothing_off ? weighted(sorted[i]) : sum, sorted[i]);
+        }
+    }
+
+private:
+    std::uint32_t group(std::uint32_t face) const { return groups_.empty() ? smoothing_by_angle : groups_[face]; }
+
+    bool shares(std::uint32_t a, std::uint32_t b) const {
+        if (a == b) return true;
+        if (group(a) != group(b) || group(a) == smoothing_off) return false;
+        if (group(a) != smoothing_by_angle && !within_groups_) return true;
+        return glm::dot(facets_[a].normal, facets_[b].normal) >= least_cosine_;
+    }
+
+    glm::dvec3 weighted(std::uint32_t corner) const {
+        const Facet& facet = facets_[face_of_[corner]];
+        return glm::dvec3(facet.normal) * facet.weight;
+    }
+
+    glm::vec3 unit(const glm::dvec3& sum, std::uint32_t corner) const {
+        const double length = std::sqrt(glm::dot(sum, sum));
+        if (length > 0) return glm::vec3(sum / length);
+        // Opposite sides of a sheet cancel out.
+        const Facet& own = facets_[face_of_[corner]];
+        return own.weight > 0 ? own.normal : glm::vec3(0, 0, 1);
+    }
+
+    std::span<const std::uint32_t> groups_;
+    std::vector<std::uint32_t> face_of_;  ///< a corner
+    std::vector<Facet> facets_;           ///< a face
+    bool within_groups_;
+    float least_cosine_;
+};
+
+}  // namespace
+
+std::vector<glm::vec3> make_normals(std::span<const glm::vec3> positions, const Faces& faces, const Creases& creases) {
+    const Meetings meetings = find_meetings(positions, faces.corners);
+    const Smoother smoother(positions, faces, creases);
+    std::vector<glm::vec3> normals(faces.corners.size());
+    for (std::size_t p = 0; p + 1 < meetings.first.size(); ++p) {
+        const std::span<const std::uint32_t> corners(meetings.corners.data() + meetings.first[p],
+                                                     meetings.first[p + 1] - meetings.first[p]);
+        if (corners.size() <= most_compared) {
+            smoother.smooth(corners, normals);
+        } else {
+            smoother.smooth_many(corners, normals);
+        }
+    }
+    return normals;
+}
+
+}  // namespace raster

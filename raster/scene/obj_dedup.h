@@ -1,0 +1,61 @@
+// obj_dedup.h: a table in which equal values find each other.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace raster::obj {
+
+/// Gives equal values the same number. The values stand in a vector of the caller's; the table holds their numbers
+/// only (open addressing, at most half full). T is compared bit by bit: it has no padding, and -0 differs from 0.
+template <class T>
+class Dedup {
+public:
+    explicit Dedup(std::vector<T>& values) : values_(values), slots_(1024, empty) {
+        static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
+    }
+
+    /// The number of `value` in the vector; it is appended if it is new.
+    std::uint32_t operator()(const T& value) {
+        if (2 * values_.size() >= slots_.size()) grow();
+        std::size_t slot = hash(value) & (slots_.size() - 1);
+        while (slots_[slot] != empty) {
+            if (std::memcmp(&values_[slots_[slot]], &value, sizeof(T)) == 0) return slots_[slot];
+            slot = (slot + 1) & (slots_.size() - 1);
+        }
+        slots_[slot] = std::uint32_t(values_.size());
+        values_.push_back(value);
+        return slots_[slot];
+    }
+
+private:
+    static constexpr std::uint32_t empty = 0xffffffffu;
+
+    // Multiplication mixes upwards only, so the high half is folded down after each word.
+    static std::size_t hash(const T& value) {
+        std::uint32_t words[sizeof(T) / sizeof(std::uint32_t)];
+        std::memcpy(words, &value, sizeof(T));
+        std::uint64_t h = 0x9e3779b97f4a7c15u;
+        for (const std::uint32_t word : words) {
+            h = (h ^ word) * 0xbf58476d1ce4e5b9u;
+            h ^= h >> 32;
+        }
+        return std::size_t(h);
+    }
+
+    void grow() {
+        std::vector<std::uint32_t> larger(4 * slots_.size(), empty);
+        slots_.swap(larger);
+        for (std::uint32_t i = 0; i < values_.size(); ++i) {
+            std::size_t slot = hash(values_[i]) & (slots_.size() - 1);
+            while (slots_[slot] != empty) slot = (slot + 1) & (slots_.size() - 1);
+            slots_[slot] = i;
+        }
+    }
+
+    std::vector<T>& values_;
+    std::vector<std::uint32_t> slots_;
+};
+
+}  // namespace raster::obj
