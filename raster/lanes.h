@@ -127,19 +127,21 @@ struct MaskPack {
     friend MaskPack operator!(MaskPack a) { return ~a.v; }
 };
 
-/// N 32-bit integers. Overflow wraps only where a comment at the use says so.
+/// N 32-bit integers, which wrap on overflow: dead lanes hold garbage, and garbage must not be undefined behaviour.
 template <int N>
 struct IntPack {
     using V = detail::Vector<std::int32_t, N>;
+    using Wrapping = detail::Vector<std::uint32_t, N>;
     V v;
 
     IntPack() = default;
     IntPack(V v) : v(v) {}
     IntPack(std::int32_t all) : v(detail::splat<V>(all)) {}
 
-    friend IntPack operator+(IntPack a, IntPack b) { return a.v + b.v; }
-    friend IntPack operator-(IntPack a, IntPack b) { return a.v - b.v; }
-    friend IntPack operator*(IntPack a, IntPack b) { return a.v * b.v; }
+    Wrapping wrapping() const { return detail::bits<Wrapping>(v); }
+    friend IntPack operator+(IntPack a, IntPack b) { return detail::bits<V>(a.wrapping() + b.wrapping()); }
+    friend IntPack operator-(IntPack a, IntPack b) { return detail::bits<V>(a.wrapping() - b.wrapping()); }
+    friend IntPack operator*(IntPack a, IntPack b) { return detail::bits<V>(a.wrapping() * b.wrapping()); }
     friend IntPack operator&(IntPack a, IntPack b) { return a.v & b.v; }
     friend IntPack operator|(IntPack a, IntPack b) { return a.v | b.v; }
     friend IntPack operator^(IntPack a, IntPack b) { return a.v ^ b.v; }
@@ -213,6 +215,8 @@ inline constexpr int lanes = detail::Companions<F>::lanes;
 
 /// The pack that fits this build's registers.
 using FloatN = FloatPack<native_lanes>;
+using IntN = IntPack<native_lanes>;
+using MaskN = MaskPack<native_lanes>;
 
 /// GLM's vector and matrix over F.
 template <int L, class F>
@@ -224,10 +228,15 @@ using mat = glm::mat<C, R, F, glm::defaultp>;
 
 inline float select(bool m, float a, float b) { return m ? a : b; }
 inline std::int32_t select(bool m, std::int32_t a, std::int32_t b) { return m ? a : b; }
+inline std::int64_t select(bool m, std::int64_t a, std::int64_t b) { return m ? a : b; }
 /// Lane by lane: a where m is true, else b.
 template <int N>
 inline IntPack<N> select(MaskPack<N> m, std::type_identity_t<IntPack<N>> a, std::type_identity_t<IntPack<N>> b) {
+#if RASTER_VECTOR_EXTENSIONS
+    return m.v ? a.v : b.v;
+#else
     return (m.v & a.v) | (~m.v & b.v);
+#endif
 }
 template <int N>
 inline FloatPack<N> select(MaskPack<N> m, std::type_identity_t<FloatPack<N>> a, std::type_identity_t<FloatPack<N>> b) {
@@ -274,6 +283,10 @@ inline F min(F a, std::type_identity_t<F> b) { return select(a < b, a, b); }
 template <class F>
     requires requires { typename detail::Companions<F>::Int; }
 inline F max(F a, std::type_identity_t<F> b) { return select(a > b, a, b); }
+template <int N>
+inline IntPack<N> min(IntPack<N> a, IntPack<N> b) { return select(a < b, a, b); }
+template <int N>
+inline IntPack<N> max(IntPack<N> a, IntPack<N> b) { return select(a > b, a, b); }
 template <class F>
     requires requires { typename detail::Companions<F>::Int; }
 inline F clamp(F x, std::type_identity_t<F> low, std::type_identity_t<F> high) { return min(max(x, low), high); }
@@ -435,6 +448,37 @@ inline IntPack<N> gather(const std::int32_t* base, IntPack<N> index) {
     IntPack<N> r;
     for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
     return r;
+}
+
+/// Four consecutive floats at base + 4 * index in each lane, transposed: record i's four floats end in lane i of a, b, c, d.
+inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d) {
+    const float* p = base + 4 * std::ptrdiff_t(index);
+    a = p[0], b = p[1], c = p[2], d = p[3];
+}
+template <int N>
+inline void gather4(const float* base, IntPack<N> index, FloatPack<N>& a, FloatPack<N>& b, FloatPack<N>& c,
+                    FloatPack<N>& d) {
+    const auto record = [&](int i) { return base + 4 * std::ptrdiff_t(std::uint32_t(index.v[i])); };
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) {
+        const auto two = [&](int i) {
+            return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(record(i))), _mm_loadu_ps(record(i + 4)), 1);
+        };
+        const __m256 r0 = two(0), r1 = two(1), r2 = two(2), r3 = two(3);
+        const __m256 t0 = _mm256_unpacklo_ps(r0, r1), t1 = _mm256_unpackhi_ps(r0, r1);
+        const __m256 t2 = _mm256_unpacklo_ps(r2, r3), t3 = _mm256_unpackhi_ps(r2, r3);
+        using V = typename FloatPack<N>::V;
+        a.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0x44));
+        b.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0xee));
+        c.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0x44));
+        d.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0xee));
+        return;
+    }
+#endif
+    for (int i = 0; i < N; ++i) {
+        const float* p = record(i);
+        a.v[i] = p[0], b.v[i] = p[1], c.v[i] = p[2], d.v[i] = p[3];
+    }
 }
 
 // -------------------------------------------------------------------------- GLM where it needs a little help

@@ -139,13 +139,13 @@ private:
             tell(outcodes, Verdict::inside, 1);
             return polygon;
         }
-        polygon = clip_triangle(polygon, outside, [&](ClipPlane plane, const Polygon& before, const Polygon& after) {
+        polygon = clip_triangle<S>(polygon, outside, [&](ClipPlane plane, const Polygon& before, const Polygon& after) {
             notify<ClipPlaneEvent>(observer_, [&] {
                 return ClipPlaneEvent{triangle, plane, describe(before_corners_, plane, before),
                                       describe(after_corners_, plane, after)};
             });
         });
-        keep_flat_varyings(polygon, corners[2]);
+        keep_flat_varyings<S>(polygon, corners[2]);
         if (polygon.count < 3) ++counts_.outside;
         tell(outcodes, Verdict::clipped, std::max(polygon.count - 2, 0));
         return polygon;
@@ -157,13 +157,6 @@ private:
             room[i] = {polygon.corners[i].clip, clip_distance(plane, polygon.corners[i].clip),
                        polygon.corners[i].varyings};
         return {room.data(), std::size_t(polygon.count)};
-    }
-
-    /// A flat varying is the provoking vertex's, also where clipping cut that vertex away.
-    static void keep_flat_varyings(Polygon& polygon, const Vertex& provoking) {
-        for (int i = 0; i < varying_count<S>; ++i)
-            if (interpolation_of<S>(i) == Interpolation::flat)
-                for (auto& corner : polygon.corners) corner.varyings[std::size_t(i)] = provoking.varyings[std::size_t(i)];
     }
 
     void draw_piece(std::int64_t triangle, int piece, const std::array<Vertex, 3>& corners, PieceFate& fate) {

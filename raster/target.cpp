@@ -6,17 +6,39 @@
 namespace raster {
 
 void Target::clear(glm::vec4 color, float depth) {
-    std::fill(color8_.begin(), color8_.end(), std::uint32_t(pack_rgba8(color)));
-    std::fill(color_float_.begin(), color_float_.end(), color);
-    std::fill(depth_.begin(), depth_.end(), std::uint32_t(encode_depth(depth_format_, depth)));
-    for (auto& plane : extra_) std::fill(plane.begin(), plane.end(), 0.0f);
+    pending_ = true;
+    pending_color_ = color;
+    pending_color8_ = std::uint32_t(pack_rgba8(color));
+    pending_depth_ = std::uint32_t(encode_depth(depth_format_, depth));
+}
+
+void Target::write_clear(std::size_t index, int count) {
+    const std::size_t n = std::size_t(count);
+    if (color_format_ == ColorFormat::rgba8) {
+        std::fill_n(color8_.data() + index, n, pending_color8_);
+    } else {
+        std::fill_n(color_float_.data() + index, n, pending_color_);
+    }
+    std::fill_n(depth_.data() + index, n, pending_depth_);
+    for (auto& plane : extra_) std::fill_n(plane.data() + index, n, 0.0f);
+}
+
+void Target::write_clear_tile(int x, int y, int size) {
+    const int columns = std::min(size, width_ - x);
+    for (int row = y; row < std::min(y + size, height_); ++row) write_clear(index(x, row), columns);
+}
+
+void Target::write_pending_clear() {
+    for (int row = 0; row < height_; ++row) write_clear(index(0, row), width_);
+    pending_ = false;
 }
 
 glm::vec4 Target::color(int x, int y) const {
-    return color_format_ == ColorFormat::rgba8 ? unpack_rgba8(color8_[index(x, y)]) : color_float_[index(x, y)];
+    return color_format_ == ColorFormat::rgba8 ? unpack_rgba8(color8()[index(x, y)]) : color_float()[index(x, y)];
 }
 
 Image8 Target::color_image() const {
+    finished();
     Image8 image(width_, height_, 4);
     for (std::size_t i = 0; i < pixels(); ++i) {
         const std::uint32_t c =
@@ -39,7 +61,7 @@ ImageF Target::color_image_float() const {
 
 ImageF Target::depth_image() const {
     ImageF image(width_, height_, 1);
-    for (std::size_t i = 0; i < pixels(); ++i) image.samples[i] = decode_depth(depth_format_, depth_[i]);
+    for (std::size_t i = 0; i < pixels(); ++i) image.samples[i] = decode_depth(depth_format_, depth()[i]);
     return image;
 }
 

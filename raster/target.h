@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -9,6 +10,7 @@
 #include <raster/image/image.h>
 #include <raster/stages/blend.h>
 #include <raster/stages/depth.h>
+#include <raster/tiles/scratch.h>
 
 namespace raster {
 
@@ -19,6 +21,23 @@ inline constexpr int max_target_size = 16384;
 enum class ColorFormat {
     rgba8,  ///< 8 bits a channel; fragments are rounded and blended there, as in OpenGL
     rgba_float,
+};
+
+/// A target's scratch memory: made when first used, not copied with it.
+class ScratchOwner {
+public:
+    ScratchOwner() = default;
+    ScratchOwner(const ScratchOwner&) {}
+    ScratchOwner(ScratchOwner&&) = default;
+    ScratchOwner& operator=(const ScratchOwner&) { return *this; }
+    ScratchOwner& operator=(ScratchOwner&&) = default;
+    tiles::Scratch& operator*() {
+        if (!scratch_) scratch_ = std::make_unique<tiles::Scratch>();
+        return *scratch_;
+    }
+
+private:
+    std::unique_ptr<tiles::Scratch> scratch_;
 };
 
 /// Planes of one size, rows from top to bottom. The colour plane holds what fragments return, with no transfer curve.
@@ -48,20 +67,20 @@ public:
     void clear(glm::vec4 color, float depth = 1.0f);
 
     /// The stored planes: colour as r | g << 8 | b << 16 | a << 24, or four floats; depth as encode_depth gives it.
-    std::vector<std::uint32_t>& color8() { return color8_; }
-    std::vector<glm::vec4>& color_float() { return color_float_; }
-    std::vector<std::uint32_t>& depth() { return depth_; }
-    std::vector<float>& extra(int channel) { return extra_[std::size_t(channel)]; }
-    const std::vector<std::uint32_t>& color8() const { return color8_; }
-    const std::vector<glm::vec4>& color_float() const { return color_float_; }
-    const std::vector<std::uint32_t>& depth() const { return depth_; }
-    const std::vector<float>& extra(int channel) const { return extra_[std::size_t(channel)]; }
+    std::vector<std::uint32_t>& color8() { return finished().color8_; }
+    std::vector<glm::vec4>& color_float() { return finished().color_float_; }
+    std::vector<std::uint32_t>& depth() { return finished().depth_; }
+    std::vector<float>& extra(int channel) { return finished().extra_[std::size_t(channel)]; }
+    const std::vector<std::uint32_t>& color8() const { return finished().color8_; }
+    const std::vector<glm::vec4>& color_float() const { return finished().color_float_; }
+    const std::vector<std::uint32_t>& depth() const { return finished().depth_; }
+    const std::vector<float>& extra(int channel) const { return finished().extra_[std::size_t(channel)]; }
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + std::size_t(x); }
     /// The colour of one pixel, 0 to 1 a channel for rgba8.
     glm::vec4 color(int x, int y) const;
     /// The depth of one pixel, 0 near to 1 far.
-    float depth(int x, int y) const { return decode_depth(depth_format_, depth_[index(x, y)]); }
+    float depth(int x, int y) const { return decode_depth(depth_format_, depth()[index(x, y)]); }
 
     /// Copies as images: RGBA (floats are clamped and rounded as rgba8 would be), RGBA float, depth as one channel.
     Image8 color_image() const;
@@ -69,8 +88,30 @@ public:
     ImageF depth_image() const;
     ImageF extra_image(int channel) const;
 
+    // For the tile drivers: a clear is only noted, and written by the next draw with the tiles that it writes anyway, or
+    // by whoever looks first. The raw planes may therefore still hold what was there before.
+    bool clear_is_pending() const { return pending_; }
+    std::uint32_t pending_depth() const { return pending_depth_; }
+    void write_clear(std::size_t index, int count);
+    void write_clear_tile(int x, int y, int size);
+    void clear_was_written() { pending_ = false; }
+    std::uint32_t* raw_color8() { return color8_.data(); }
+    glm::vec4* raw_color_float() { return color_float_.data(); }
+    std::int32_t* raw_depth() { return reinterpret_cast<std::int32_t*>(depth_.data()); }
+    const std::int32_t* raw_depth() const { return reinterpret_cast<const std::int32_t*>(depth_.data()); }
+    std::uint32_t* raw_depth_bits() { return depth_.data(); }
+    float* raw_extra(int channel) { return extra_[std::size_t(channel)].data(); }
+    tiles::Scratch& scratch() { return *scratch_; }
+
 private:
     std::size_t pixels() const { return std::size_t(width_) * std::size_t(height_); }
+    /// This target with nothing pending.
+    Target& finished() {
+        if (pending_) write_pending_clear();
+        return *this;
+    }
+    const Target& finished() const { return const_cast<Target*>(this)->finished(); }
+    void write_pending_clear();
 
     int width_, height_;
     ColorFormat color_format_;
@@ -79,6 +120,11 @@ private:
     std::vector<glm::vec4> color_float_;
     std::vector<std::uint32_t> depth_;
     std::vector<std::vector<float>> extra_;
+    bool pending_ = false;
+    glm::vec4 pending_color_{0.0f};
+    std::uint32_t pending_color8_ = 0;
+    std::uint32_t pending_depth_ = 0;
+    ScratchOwner scratch_;
 };
 
 }  // namespace raster

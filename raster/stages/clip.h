@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <raster/stages/vertex.h>
 
@@ -26,11 +27,14 @@ inline Int<F> outcode(const vec<4, F>& clip) {
            bit(clip.y + clip.w < F(0), 3) | bit(clip.z + clip.w < F(0), 4) | bit(clip.z > clip.w, 5);
 }
 
-/// Whether all four components are numbers; others never reach fixed point.
+/// Whether all four components are numbers, and one is not 0 or a denormal: (0, 0, 0, 0) is no point. Others never reach
+/// fixed point.
 template <class F>
 inline Mask<F> is_finite(const vec<4, F>& clip) {
     // x - x is 0 for numbers and NaN for NaN and both infinities.
-    return ((clip.x - clip.x) + (clip.y - clip.y)) + ((clip.z - clip.z) + (clip.w - clip.w)) == F(0);
+    const F zero = ((clip.x - clip.x) + (clip.y - clip.y)) + ((clip.z - clip.z) + (clip.w - clip.w));
+    const F largest = max(max(abs(clip.x), abs(clip.y)), max(abs(clip.z), abs(clip.w)));
+    return (zero == F(0)) & (largest >= F(std::numeric_limits<float>::min()));
 }
 
 /// The signed distance to a plane, scaled by the length of its normal.
@@ -50,19 +54,34 @@ struct ClipPolygon {
     void add(const Vertex& v) { corners[std::size_t(count++)] = v; }
 };
 
+/// How far `between` lies from a to b in the window, as a fraction; t where that cannot be told.
+inline float window_fraction(const glm::vec4& a, const glm::vec4& b, const glm::vec4& between, float t) {
+    for (int i = 0; i < 2; ++i) {
+        if (a[i] == b[i]) continue;
+        const float from = a[i] / a.w, to = b[i] / b.w;
+        const float fraction = (between[i] / between.w - from) / (to - from);
+        if (std::isfinite(fraction)) return fraction;
+    }
+    return t;
+}
+
 /// The point where the edge from `a` to `b` meets the plane, with t in 0..1 from a. Position and varyings are
-/// interpolated alike, in clip space, where both are linear.
-template <std::size_t N>
+/// interpolated alike in clip space, where both are linear, but for the varyings that are linear in the window.
+template <Shader S, std::size_t N>
 inline ShadedVertex<float, N> clip_intersection(const ShadedVertex<float, N>& a, const ShadedVertex<float, N>& b,
                                                 float t) {
     ShadedVertex<float, N> r;
     for (int i = 0; i < 4; ++i) r.clip[i] = a.clip[i] + t * (b.clip[i] - a.clip[i]);
-    for (std::size_t i = 0; i < N; ++i) r.varyings[i] = a.varyings[i] + t * (b.varyings[i] - a.varyings[i]);
+    for (std::size_t i = 0; i < N; ++i) {
+        const bool linear_in_window = interpolation_of<S>(int(i)) == Interpolation::noperspective;
+        const float u = linear_in_window ? window_fraction(a.clip, b.clip, r.clip, t) : t;
+        r.varyings[i] = a.varyings[i] + u * (b.varyings[i] - a.varyings[i]);
+    }
     return r;
 }
 
 /// The part of the polygon on the inner side of one plane. Empty when a distance is not finite.
-template <std::size_t N>
+template <Shader S, std::size_t N>
 inline ClipPolygon<N> clip_against(ClipPlane plane, const ClipPolygon<N>& polygon) {
     ClipPolygon<N> result;
     result.clipped = true;
@@ -76,23 +95,42 @@ inline ClipPolygon<N> clip_against(ClipPlane plane, const ClipPolygon<N>& polygo
         if ((da >= 0) != (db >= 0)) {
             // Starting from the nearer end keeps the new corner close to where both neighbours of this edge put it.
             const bool from_a = da >= 0 ? !(-db < da) : -da < db;
-            result.add(from_a ? clip_intersection(a, b, da / (da - db)) : clip_intersection(b, a, db / (db - da)));
+            result.add(from_a ? clip_intersection<S>(a, b, da / (da - db))
+                              : clip_intersection<S>(b, a, db / (db - da)));
         }
     }
     return result;
 }
 
+/// Whether a corner that clipping left is inside the volume, give or take the rounding that corners from far away bring.
+/// Numbers so large that rounding throws a corner out by half the volume cannot be drawn, nor fit fixed point.
+inline bool is_near_volume(const glm::vec4& clip) {
+    const float limit = 1.5f * clip.w;
+    return clip.w >= std::numeric_limits<float>::min() && abs(clip.x) <= limit && abs(clip.y) <= limit &&
+           abs(clip.z) <= limit;
+}
+
 /// The part of a triangle inside all planes that `outside`, the union of its corners' outcodes, names. seen(plane,
-/// before, after) is called for each cut.
-template <std::size_t N, class Seen>
+/// before, after) is called for each cut. Empty when the numbers are too large to cut.
+template <Shader S, std::size_t N, class Seen>
 inline ClipPolygon<N> clip_triangle(ClipPolygon<N> polygon, std::int32_t outside, const Seen& seen) {
     for (int plane = 0; plane < clip_plane_count && polygon.count >= 3; ++plane) {
         if (!(outside & (1 << plane))) continue;
         const ClipPolygon<N> before = polygon;
-        polygon = clip_against(ClipPlane(plane), before);
+        polygon = clip_against<S>(ClipPlane(plane), before);
         seen(ClipPlane(plane), before, polygon);
     }
+    for (int i = 0; i < polygon.count; ++i)
+        if (!is_near_volume(polygon.corners[std::size_t(i)].clip)) return {};
     return polygon;
+}
+
+/// A flat varying is the provoking vertex's, also where clipping has cut that vertex away.
+template <Shader S, std::size_t N>
+inline void keep_flat_varyings(ClipPolygon<N>& polygon, const ShadedVertex<float, N>& provoking) {
+    for (int i = 0; i < varying_count<S>; ++i)
+        if (interpolation_of<S>(i) == Interpolation::flat)
+            for (auto& corner : polygon.corners) corner.varyings[std::size_t(i)] = provoking.varyings[std::size_t(i)];
 }
 
 /// Triangle i of the fan that a clipped polygon is drawn as, i from 0 to count - 3: its corners' places. The order

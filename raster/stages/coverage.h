@@ -6,16 +6,20 @@
 namespace raster {
 
 /// The edge function at the centre of pixel (px, py), exact.
-inline std::int64_t edge_at(const Edge& e, int px, int py) {
+inline std::int64_t edge_at(const Edge<float>& e, int px, int py) {
     return e.origin + (std::int64_t(e.step_x) * px + std::int64_t(e.step_y) * py) * subpixels;
 }
 
 /// Inside the edge, or on it when it owns its points. The bias stays here: folded into the edge function itself it
 /// would tilt barycentric coordinates.
-inline bool is_inside(const Edge& e, std::int64_t value) { return e.inclusive ? value >= 0 : value > 0; }
+inline bool is_inside(const Edge<float>& e, std::int64_t value) { return e.inclusive ? value >= 0 : value > 0; }
 
 /// The same test in steps of whole pixels: is_inside(e, edge_at(e, px, py)) equals
 /// pixel_origin(e) + step_x px + step_y py >= 0, because 256 divides everything but the origin.
-inline std::int64_t pixel_origin(const Edge& e) { return (e.origin + (e.inclusive ? 0 : -1)) >> subpixel_bits; }
+template <class F>
+inline EdgeValue<F> pixel_origin(const Edge<F>& e) {
+    using V = EdgeValue<F>;
+    return (e.origin - select(e.inclusive, V(0), V(1))) >> subpixel_bits;
+}
 
 }  // namespace raster

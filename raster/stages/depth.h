@@ -13,10 +13,10 @@ enum class DepthFormat {
     float32,  ///< the bits of z, which for z >= 0 order as integers
 };
 
-/// Window z, clamped to 0..1, as the integer that is stored and compared. NaN becomes 0.
+/// Window z, clamped to 0..1, as the integer that is stored and compared. NaN becomes 1, the far end.
 template <class F>
 inline Int<F> encode_depth(DepthFormat format, F z) {
-    const F clamped = min(max(z, F(0)), F(1));
+    const F clamped = max(min(z, F(1)), F(0));
     return format == DepthFormat::unorm24 ? round_to_int(clamped * F(16777215.0f)) : as_int(clamped);
 }
 

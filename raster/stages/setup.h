@@ -10,23 +10,32 @@
 
 namespace raster {
 
+/// What holds an edge function's value: 64 bits for one triangle; 32 bits a lane for packs, whose caller measures
+/// positions from nearby so that they suffice.
+template <class F>
+using EdgeValue = std::conditional_t<lanes<F> == 1, std::int64_t, Int<F>>;
+
 /// An edge function (Pineda 1988): e(px, py) = origin + 256 (step_x px + step_y py) at the centre of pixel (px, py),
 /// in square subpixels, exact. Positive on the inner side, 0 on the edge.
+template <class F>
 struct Edge {
-    std::int32_t step_x;  ///< change a subpixel to the right
-    std::int32_t step_y;  ///< change a subpixel down
-    std::int64_t origin;  ///< value at the centre of pixel (0, 0)
-    bool inclusive;       ///< whether a centre exactly on this edge belongs to the triangle
+    Int<F> step_x;         ///< change a subpixel to the right
+    Int<F> step_y;         ///< change a subpixel down
+    EdgeValue<F> origin;   ///< value at the centre of pixel (0, 0)
+    Mask<F> inclusive;     ///< whether a centre exactly on this edge belongs to the triangle
 };
 
 /// The edge from a to b of a triangle that runs counter-clockwise on the picture, so that the inside is to its left.
-inline Edge make_edge(const SubpixelVertex<float>& a, const SubpixelVertex<float>& b, FillRule rule) {
-    const std::int32_t step_x = b.y - a.y;
-    const std::int32_t step_y = a.x - b.x;
+template <class F>
+inline Edge<F> make_edge(const SubpixelVertex<F>& a, const SubpixelVertex<F>& b, FillRule rule) {
+    const Int<F> step_x = b.y - a.y;
+    const Int<F> step_y = a.x - b.x;
     // Counter-clockwise, left edges go down; bottom edges go right and top edges left, along a row.
-    const bool left = step_x > 0;
-    const bool owned_row = step_x == 0 && (rule == FillRule::bottom_left ? step_y < 0 : step_y > 0);
-    return {step_x, step_y, -(std::int64_t(step_x) * a.x + std::int64_t(step_y) * a.y), left || owned_row};
+    const Mask<F> left = step_x > Int<F>(0);
+    const Mask<F> owned = rule == FillRule::bottom_left ? step_y < Int<F>(0) : step_y > Int<F>(0);
+    const Mask<F> owned_row = (step_x == Int<F>(0)) & owned;
+    using V = EdgeValue<F>;
+    return {step_x, step_y, V(0) - (V(step_x) * V(a.x) + V(step_y) * V(a.y)), Mask<F>(left | owned_row)};
 }
 
 /// A value that is linear over the window: value(px, py) = (dady py) + ((dadx px) + origin), at pixel centres.
@@ -88,7 +97,7 @@ inline std::array<int, 3> setup_order(std::int64_t area) {
 /// Everything about a triangle that its pixels share, but for the varyings' planes (interpolate.h).
 struct TriangleSetup {
     std::array<int, 3> order;   ///< which corner is 0, 1, 2 below
-    std::array<Edge, 3> edges;  ///< from 0 to 1, 1 to 2, 2 to 0
+    std::array<Edge<float>, 3> edges;  ///< from 0 to 1, 1 to 2, 2 to 0
     PlaneBasis<float> basis;
     Plane<float> depth;
     PixelBox box;

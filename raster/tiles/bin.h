@@ -1,0 +1,228 @@
+// bin.h: driver of stages 2 to 5: assemble, clip, cull, and note for each tile which triangles may touch it.
+//
+// Triangles are taken in chunks, each by one thread, and stay in submission order inside a chunk; tiles walk the chunks
+// in order. A bin holds numbers only: setting a triangle up again in each tile costs less than storing its setup.
+#pragma once
+
+#include <raster/stages/assemble.h>
+#include <raster/stages/clip.h>
+#include <raster/stages/cull.h>
+#include <raster/stages/setup.h>
+#include <raster/state.h>
+#include <raster/tiles/vertices.h>
+
+namespace raster::tiles {
+
+inline constexpr int tile_bits = 6;
+inline constexpr int tile_size = 1 << tile_bits;
+
+/// One triangle of a clipped triangle's fan, ready for setup.
+template <Shader S>
+struct ClippedPiece {
+    std::array<WindowVertex<float>, 3> window;
+    std::array<VaryingArray<S>, 3> varyings;
+    std::uint32_t triangle;
+};
+
+/// Set in a bin's entry when the rest is the number of a ClippedPiece of its chunk.
+inline constexpr std::uint32_t clipped_bit = 1u << 31;
+
+/// One draw call's unchanging parts, for all threads.
+template <Shader S>
+struct DrawContext {
+    const S& shader;
+    std::span<const typename S::template Vertex<float>> vertices;
+    std::span<const std::uint32_t> indices;
+    const State& state;
+    ViewportTransform viewport;
+    int width, height;        ///< of the target
+    int tiles_x, tiles_y;
+    VertexBuffer<S> buffer;
+
+    /// The three vertices of a triangle, by number; beyond the vertex array for a bad index.
+    std::array<std::uint32_t, 3> corners(std::size_t triangle) const {
+        const auto places = assemble(state.topology, triangle);
+        if (indices.empty()) return {std::uint32_t(places[0]), std::uint32_t(places[1]), std::uint32_t(places[2])};
+        return {indices[places[0]], indices[places[1]], indices[places[2]]};
+    }
+    /// Whether the vertex was shaded; numbers below `first` wrap to large ones.
+    bool exists(std::uint32_t vertex) const { return vertex - buffer.first < buffer.window.size(); }
+};
+
+/// The work on one chunk of triangles.
+template <Shader S>
+class ChunkBinner {
+public:
+    ChunkBinner(const DrawContext<S>& draw, ChunkBins& bins, std::vector<ClippedPiece<S>>& pieces)
+        : draw_(draw), bins_(bins), pieces_(pieces) {}
+
+    DrawCounts run(std::size_t begin, std::size_t end) {
+        bins_.pairs.clear();
+        pieces_.clear();
+        for (std::size_t i = begin; i < end; i += std::size_t(lanes<FloatN>)) bin_pack(i, end);
+        sort_by_tile();
+        return counts_;
+    }
+
+private:
+    using I = Int<FloatN>;
+
+    void bin_pack(std::size_t start, std::size_t end) {
+        constexpr int width = lanes<FloatN>;
+        const int count = int(std::min(std::size_t(width), end - start));
+        counts_.submitted += count;
+        std::array<I, 3> places;
+        std::uint32_t slow = 0;
+        for (int lane = 0; lane < width; ++lane) {
+            const auto vertices = draw_.corners(start + std::size_t(std::min(lane, count - 1)));
+            bool bad = false;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const bool exists = draw_.exists(vertices[c]);
+                bad = bad || !exists;
+                places[c].v[lane] = std::int32_t(exists ? vertices[c] - draw_.buffer.first : 0);
+            }
+            slow |= std::uint32_t(bad) << lane;
+        }
+
+        std::array<SubpixelVertex<FloatN>, 3> v;
+        Mask<FloatN> inside(true);
+        for (std::size_t c = 0; c < 3; ++c) {
+            WindowVertex<FloatN> window;
+            gather4(&draw_.buffer.window[0].x, places[c], window.x, window.y, window.z, window.oow);
+            inside = inside & (window.x == window.x);
+            v[c] = snap(window);
+        }
+        const std::uint32_t live = (1u << count) - 1;
+        slow = (slow | ~bitmask(inside)) & live;
+
+        const I min_x = min(min(v[0].x, v[1].x), v[2].x), max_x = max(max(v[0].x, v[1].x), v[2].x);
+        const I min_y = min(min(v[0].y, v[1].y), v[2].y), max_y = max(max(v[0].y, v[1].y), v[2].y);
+        // Up to 128 pixels the area fits 32 bits. Larger ones, and the garbage in slow lanes, wrap and are not used.
+        const Mask<FloatN> large = ((max_x - min_x) | (max_y - min_y)) >= I(1 << 15);
+        const I area = wrapping_area(v);
+        std::uint32_t positive = bitmask(area > I(0)), zero = bitmask(area == I(0));
+        for (std::uint32_t rest = bitmask(large) & live & ~slow; rest; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            const std::int64_t exact = signed_area(at_lane(v, lane));
+            positive = (positive & ~(1u << lane)) | std::uint32_t(exact > 0) << lane;
+            zero = (zero & ~(1u << lane)) | std::uint32_t(exact == 0) << lane;
+        }
+        const std::uint32_t front = draw_.state.front_face == FrontFace::counter_clockwise ? positive : ~positive;
+        const std::uint32_t culled = (is_culled(draw_.state.cull, true) ? front : 0) |
+                                     (is_culled(draw_.state.cull, false) ? ~front : 0);
+        const std::uint32_t kept = live & ~slow & ~zero & ~culled;
+        counts_.zero_area += std::popcount(live & ~slow & zero);
+        counts_.culled += std::popcount(live & ~slow & ~zero & culled);
+        counts_.drawn += std::popcount(kept);
+
+        const I last = I(subpixels - 1);
+        const I x0 = max((min_x + last) >> subpixel_bits, I(0)), y0 = max((min_y + last) >> subpixel_bits, I(0));
+        const I x1 = min(max_x >> subpixel_bits, I(draw_.width - 1));
+        const I y1 = min(max_y >> subpixel_bits, I(draw_.height - 1));
+        const std::uint32_t visible = kept & bitmask((x0 <= x1) & (y0 <= y1));
+        for (std::uint32_t rest = visible | slow; rest; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            const std::size_t triangle = start + std::size_t(lane);
+            if (slow >> lane & 1) {
+                bin_slow(triangle);
+            } else {
+                emit({x0.v[lane], y0.v[lane], x1.v[lane], y1.v[lane]}, std::uint32_t(triangle));
+            }
+        }
+    }
+
+    static I wrapping_area(const std::array<SubpixelVertex<FloatN>, 3>& v) {
+        return (v[0].x - v[1].x) * (v[2].y - v[0].y) - (v[2].x - v[0].x) * (v[0].y - v[1].y);
+    }
+
+    static std::array<SubpixelVertex<float>, 3> at_lane(const std::array<SubpixelVertex<FloatN>, 3>& v, int lane) {
+        return {{{v[0].x.v[lane], v[0].y.v[lane]}, {v[1].x.v[lane], v[1].y.v[lane]}, {v[2].x.v[lane], v[2].y.v[lane]}}};
+    }
+
+    /// A triangle with a corner outside, or without one: the clip stage decides.
+    void bin_slow(std::size_t triangle) {
+        const auto vertices = draw_.corners(triangle);
+        std::uint8_t all = 0xff, any = 0;
+        for (const std::uint32_t v : vertices) {
+            if (!draw_.exists(v)) {
+                ++counts_.bad_index;
+                return;
+            }
+            all &= draw_.buffer.outcodes[v - draw_.buffer.first];
+            any |= draw_.buffer.outcodes[v - draw_.buffer.first];
+        }
+        if (any & not_finite_bit) {
+            ++counts_.not_finite;
+            return;
+        }
+        if (all) {
+            ++counts_.outside;
+            return;
+        }
+        // Clip positions were not kept; shading is pure, so the second run gives the same.
+        ClipPolygon<std::size_t(varying_count<S>)> polygon;
+        for (const std::uint32_t v : vertices)
+            polygon.add(shade_vertex<S, float>(draw_.shader, draw_.vertices[v - draw_.buffer.first]));
+        const auto provoking = polygon.corners[2];
+        polygon = clip_triangle<S>(polygon, any, [](auto&&...) {});
+        if (polygon.count < 3) {
+            ++counts_.outside;
+            return;
+        }
+        keep_flat_varyings<S>(polygon, provoking);
+        PieceFate fate;
+        for (int piece = 0; piece + 2 < polygon.count; ++piece) bin_piece(polygon, clip_fan(piece), triangle, fate);
+        fate.count(counts_);
+    }
+
+    void bin_piece(const ClipPolygon<std::size_t(varying_count<S>)>& polygon, std::array<int, 3> fan,
+                   std::size_t triangle, PieceFate& fate) {
+        ClippedPiece<S> piece;
+        std::array<SubpixelVertex<float>, 3> subpixel;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto& corner = polygon.corners[std::size_t(fan[c])];
+            piece.window[c] = project(corner.clip, draw_.viewport);
+            piece.varyings[c] = corner.varyings;
+            subpixel[c] = snap(piece.window[c]);
+        }
+        piece.triangle = std::uint32_t(triangle);
+        const std::int64_t area = signed_area(subpixel);
+        if (area == 0) return;
+        if (is_culled(draw_.state.cull, is_front_facing(draw_.state.front_face, area))) {
+            fate.any_culled = true;
+            return;
+        }
+        fate.any_drawn = true;
+        const PixelBox box = bounding_pixels(subpixel, draw_.width, draw_.height);
+        if (box.empty()) return;
+        emit(box, clipped_bit | std::uint32_t(pieces_.size()));
+        pieces_.push_back(piece);
+    }
+
+    void emit(const PixelBox& box, std::uint32_t triangle) {
+        for (int ty = box.min_y >> tile_bits; ty <= box.max_y >> tile_bits; ++ty)
+            for (int tx = box.min_x >> tile_bits; tx <= box.max_x >> tile_bits; ++tx)
+                bins_.pairs.push_back({std::uint32_t(ty * draw_.tiles_x + tx), triangle});
+    }
+
+    /// A counting sort: stable, so that a tile sees its triangles in submission order.
+    void sort_by_tile() {
+        const std::size_t tiles = std::size_t(draw_.tiles_x) * std::size_t(draw_.tiles_y);
+        auto& offsets = bins_.offsets;
+        offsets.assign(tiles + 1, 0);
+        for (const BinPair& p : bins_.pairs) ++offsets[p.tile + 1];
+        for (std::size_t t = 0; t < tiles; ++t) offsets[t + 1] += offsets[t];
+        bins_.entries.resize(bins_.pairs.size());
+        // Placing moves each tile's start to its end; the last loop moves them back.
+        for (const BinPair& p : bins_.pairs) bins_.entries[offsets[p.tile]++] = p.triangle;
+        for (std::size_t t = tiles; t > 0; --t) offsets[t] = offsets[t - 1];
+        offsets[0] = 0;
+    }
+
+    const DrawContext<S>& draw_;
+    ChunkBins& bins_;
+    std::vector<ClippedPiece<S>>& pieces_;
+    DrawCounts counts_;
+};
+
+}  // namespace raster::tiles

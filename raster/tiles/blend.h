@@ -1,0 +1,91 @@
+// blend.h: draws that blend: shade and mix each fragment when it passes, in submission order.
+#pragma once
+
+#include <raster/tiles/resolve.h>
+
+namespace raster::tiles {
+
+/// The Sink that shades at once, straight into the target. The target's pending clear was written before.
+template <HasFragment S>
+class BlendSink {
+public:
+    static constexpr bool remembers = false;
+
+    BlendSink(const DrawContext<S>& draw, const std::vector<std::vector<ClippedPiece<S>>>& pieces, TileBuffer& tile,
+              Target& target)
+        : draw_(draw), pieces_(pieces), tile_(tile), target_(target) {}
+
+    void begin(const TileTriangle& t, std::uint32_t chunk) {
+        triangle_ = &t;
+        chunk_ = chunk;
+        ready_ = false;
+    }
+    std::int32_t slot() { return 0; }
+    void cell(int i, MaskN passed, FloatN px, FloatN py) { blend(i, passed, px, py, cell_width); }
+    void row(int i, MaskN passed, FloatN px, FloatN py) { blend(i, passed, px, py, native_lanes); }
+
+private:
+    /// Lanes run along rows of `width` pixels, the first at tile pixel i.
+    void blend(int i, MaskN passed, FloatN px, FloatN py, int width) {
+        if (!ready_) {
+            planes_ = make_shading_planes(draw_, pieces_[chunk_], triangle_->entry, triangle_->depth, triangle_->front_facing);
+            ready_ = true;
+        }
+        OutputArray<S, FloatN> out = shade_pixels<S, FloatN>(draw_.shader, planes_, px, py);
+        const int x = tile_.x + i % tile_size, y = tile_.y + i / tile_size;
+        for (int lane = 0; lane < native_lanes; lane += width) {
+            const RowPlace place{target_.index(x, y + lane / width), std::clamp(draw_.width - x, 0, width)};
+            const std::uint32_t mine = bitmask(passed) >> lane & ((1u << place.count) - 1);
+            if (y + lane / width >= draw_.height || mine == 0) continue;
+            blend_row(place, mine, lane, out);
+        }
+    }
+
+    void blend_row(RowPlace place, std::uint32_t mine, int first_lane, const OutputArray<S, FloatN>& out) {
+        const vec<4, FloatN> color(out[0], out[1], out[2], out[3]);
+        if (target_.color_format() == ColorFormat::rgba8) {
+            const IntN packed = pack_rgba8(color);
+            std::uint32_t* to = target_.raw_color8() + place.index;
+            if (first_lane == 0 && place.count == native_lanes) {
+                const IntN stored = load_int<FloatN>(to);
+                store_lanes(to, blend_rgba8(draw_.state.blend, packed, stored), mask_of(mine), native_lanes);
+            } else {
+                for (std::uint32_t rest = mine; rest; rest &= rest - 1) {
+                    const int k = std::countr_zero(rest);
+                    to[k] = std::uint32_t(
+                        blend_rgba8(draw_.state.blend, packed.v[first_lane + k], std::int32_t(to[k])));
+                }
+            }
+        } else {
+            for (std::uint32_t rest = mine; rest; rest &= rest - 1) {
+                const int k = std::countr_zero(rest), lane = first_lane + k;
+                glm::vec4& to = target_.raw_color_float()[place.index + std::size_t(k)];
+                to = blend_float(draw_.state.blend,
+                                 glm::vec4(color.x.v[lane], color.y.v[lane], color.z.v[lane], color.w.v[lane]), to);
+            }
+        }
+        if constexpr (output_count<S> > 4)
+            for (int e = 0; e < std::min(output_count<S> - 4, target_.extra_channels()); ++e)
+                for (std::uint32_t rest = mine; rest; rest &= rest - 1) {
+                    const int k = std::countr_zero(rest);
+                    target_.raw_extra(e)[place.index + std::size_t(k)] = out[std::size_t(4 + e)].v[first_lane + k];
+                }
+    }
+
+    static MaskN mask_of(std::uint32_t bits) {
+        IntN lane_bit;
+        for (int i = 0; i < native_lanes; ++i) lane_bit.v[i] = 1 << i;
+        return (IntN(std::int32_t(bits)) & lane_bit) != IntN(0);
+    }
+
+    const DrawContext<S>& draw_;
+    const std::vector<std::vector<ClippedPiece<S>>>& pieces_;
+    TileBuffer& tile_;
+    Target& target_;
+    const TileTriangle* triangle_ = nullptr;
+    std::uint32_t chunk_ = 0;
+    bool ready_ = false;
+    ShadingPlanes<S> planes_;
+};
+
+}  // namespace raster::tiles

@@ -1,0 +1,153 @@
+// raster.h: driver of stages 7 and 8 inside a tile: walk a triangle's pixels in blocks and cells, test coverage and depth.
+//
+// What becomes of the pixels that pass is the Sink's business: to remember the triangle (tiles/resolve.h), or to shade
+// and blend at once (tiles/blend.h).
+#pragma once
+
+#include <bit>
+
+#include <raster/tiles/setup.h>
+#include <raster/tiles/tile.h>
+
+namespace raster::tiles {
+
+/// Depth state known when the code is compiled, for the most usual draws, and any other.
+struct UsualDepth {
+    static constexpr Compare compare = Compare::less;
+    static constexpr bool write = true;
+    static constexpr DepthFormat format = DepthFormat::unorm24;
+};
+struct AnyDepth {
+    Compare compare;
+    bool write;
+    DepthFormat format;
+};
+
+/// Puts triangles, in order, into one tile.
+template <class Depth, class Sink>
+class TileRaster {
+public:
+    TileRaster(TileBuffer& tile, const Depth& depth, Sink& sink) : tile_(tile), depth_(depth), sink_(sink) {}
+
+    void draw(const TileTriangle& t, std::uint32_t chunk) {
+        if (t.x0 > t.x1 || t.y0 > t.y1) return;
+        sink_.begin(t, chunk);
+        if (t.x1 - t.x0 < 2 * block_size && t.y1 - t.y0 < 2 * block_size) {
+            draw_cells(t);
+        } else {
+            for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
+                for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) draw_block(t, bx, by);
+        }
+    }
+
+private:
+    static MaskN inside(IntN e0, IntN e1, IntN e2) { return (e0 | e1 | e2) >= IntN(0); }
+
+    static FloatN depth_at(const TileTriangle& t, FloatN px, FloatN py) {
+        return value_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, px, py);
+    }
+
+    /// Small triangles: every cell of the box.
+    void draw_cells(const TileTriangle& t) {
+        const int left = t.x0 & ~(cell_width - 1), top = t.y0 & ~(cell_height - 1);
+        const DepthRange incoming =
+            depth_range(depth_.format, t.depth, tile_.x + left, tile_.y + top, tile_.x + (t.x1 | (cell_width - 1)),
+                        tile_.y + (t.y1 | (cell_height - 1)));
+        bool hidden = true;
+        for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
+            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx)
+                hidden = hidden && none_passes(depth_.compare, incoming, tile_.range[by * blocks_per_row + bx]);
+        if (hidden) return;
+        for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
+            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) touch(by * blocks_per_row + bx, incoming);
+
+        const IntN x = IntN(left) + cell_x(), y = IntN(top) + cell_y();
+        IntN row[3];
+        for (std::size_t i = 0; i < 3; ++i)
+            row[i] = IntN(t.edges[i].origin) + IntN(t.edges[i].step_x) * x + IntN(t.edges[i].step_y) * y;
+        FloatN py = to_float(IntN(tile_.y) + y);
+        const FloatN px0 = to_float(IntN(tile_.x) + x);
+        for (int cy = top; cy <= t.y1; cy += cell_height) {
+            IntN e[3] = {row[0], row[1], row[2]};
+            FloatN px = px0;
+            for (int cx = left; cx <= t.x1; cx += cell_width) {
+                const MaskN covered = inside(e[0], e[1], e[2]);
+                if (any(covered)) {
+                    const int i = cy * tile_size + cx;
+                    const IntN incoming_depth = encode_depth(depth_.format, depth_at(t, px, py));
+                    const IntN stored = load_cell<native_lanes>(tile_.depth + i);
+                    const MaskN passed = covered & depth_passes(depth_.compare, incoming_depth, stored);
+                    if (any(passed)) {
+                        if (depth_.write) store_cell(tile_.depth + i, select(passed, incoming_depth, stored));
+                        sink_.cell(i, passed, px, py);
+                    }
+                }
+                for (std::size_t k = 0; k < 3; ++k) e[k] = e[k] + IntN(cell_width * t.edges[k].step_x);
+                px = px + FloatN(float(cell_width));
+            }
+            for (std::size_t k = 0; k < 3; ++k) row[k] = row[k] + IntN(cell_height * t.edges[k].step_y);
+            py = py + FloatN(float(cell_height));
+        }
+    }
+
+    /// Makes a block's pixels single and its range ready for some of them to change.
+    void touch(int block, DepthRange incoming) {
+        if (tile_.uniform >> block & 1) expand_block(tile_, block, depth_.format);
+        if (depth_.write) tile_.range[block] = merged(depth_.compare, incoming, tile_.range[block]);
+    }
+
+    /// Large triangles: reject or accept each block as a whole where edges and depths allow it.
+    void draw_block(const TileTriangle& t, int bx, int by) {
+        const int x = bx * block_size, y = by * block_size, block = by * blocks_per_row + bx;
+        bool full = true;
+        std::int32_t origin[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const TileEdge& e = t.edges[i];
+            constexpr int last = block_size - 1;
+            origin[i] = e.origin + e.step_x * x + e.step_y * y;
+            const std::int32_t across = e.step_x * last, down = e.step_y * last;
+            if (origin[i] + std::max(across, 0) + std::max(down, 0) < 0) return;
+            full = full && origin[i] + std::min(across, 0) + std::min(down, 0) >= 0;
+        }
+        const int px = tile_.x + x, py = tile_.y + y;
+        const DepthRange incoming = depth_range(depth_.format, t.depth, px, py, px + block_size - 1, py + block_size - 1);
+        if (none_passes(depth_.compare, incoming, tile_.range[block])) return;
+        const bool all = full && all_pass(depth_.compare, incoming, tile_.range[block]);
+        if (all && Sink::remembers && depth_.write) {
+            tile_.range[block] = incoming;
+            tile_.block_slot[block] = sink_.slot();
+            tile_.uniform |= std::uint64_t(1) << block;
+            return;
+        }
+        touch(block, incoming);
+        if (all && depth_.write) tile_.range[block] = incoming;
+        for (int row = 0; row < block_size; ++row)
+            for (int column = 0; column < block_size; column += native_lanes) {
+                const int i = (y + row) * tile_size + x + column;
+                MaskN passed(true);
+                if (!full) {
+                    const IntN cx = IntN(column) + lane_index<FloatN>();
+                    const auto e = [&](std::size_t k) {
+                        return IntN(origin[k] + row * t.edges[k].step_y) + IntN(t.edges[k].step_x) * cx;
+                    };
+                    passed = inside(e(0), e(1), e(2));
+                    if (!any(passed)) continue;
+                }
+                const FloatN fx = to_float(IntN(px + column) + lane_index<FloatN>()), fy = FloatN(float(py + row));
+                if (!all || depth_.write) {
+                    const IntN incoming_depth = encode_depth(depth_.format, depth_at(t, fx, fy));
+                    const IntN stored = load_int<FloatN>(tile_.depth + i);
+                    if (!all) passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
+                    if (!any(passed)) continue;
+                    if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
+                }
+                sink_.row(i, passed, fx, fy);
+            }
+    }
+
+    TileBuffer& tile_;
+    const Depth& depth_;
+    Sink& sink_;
+};
+
+}  // namespace raster::tiles

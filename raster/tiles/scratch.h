@@ -1,0 +1,49 @@
+// scratch.h: memory that draws into one target reuse, so that a frame allocates nothing once it is warm.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace raster::tiles {
+
+/// Uninitialised memory that grows and is never cleared.
+class ScratchBuffer {
+public:
+    template <class T>
+    std::span<T> get(std::size_t count) {
+        if (count * sizeof(T) > size_) {
+            size_ = count * sizeof(T);
+            bytes_.reset();
+            bytes_ = std::unique_ptr<std::byte[]>(new std::byte[size_]);
+        }
+        return {reinterpret_cast<T*>(bytes_.get()), count};
+    }
+
+private:
+    std::unique_ptr<std::byte[]> bytes_;
+    std::size_t size_ = 0;
+};
+
+/// A triangle's number, and a tile that its bounding box meets.
+struct BinPair {
+    std::uint32_t tile, triangle;
+};
+
+/// The triangles of one chunk, sorted by tile: tile t's are entries[offsets[t]] to entries[offsets[t + 1]], in
+/// submission order.
+struct ChunkBins {
+    std::vector<BinPair> pairs;
+    std::vector<std::uint32_t> offsets;
+    std::vector<std::uint32_t> entries;
+};
+
+/// What a draw needs between its phases.
+struct Scratch {
+    ScratchBuffer window, outcodes, varyings;
+    std::vector<ChunkBins> chunks;
+};
+
+}  // namespace raster::tiles
