@@ -1,0 +1,55 @@
+# setup.sh: what demos/run.sh and tests/run.sh share: Debian packages by name, and how to build. Sourced by bash.
+
+build_packages=(cmake ninja-build g++ pkg-config
+    libglm-dev libtbb-dev libtinyobjloader-dev libdeflate-dev libstb-dev)
+# bunny.obj; spider.obj and many more; cornell_box.obj
+model_packages=(glmark2-data assimp-testmodels)
+test_packages=(libgtest-dev libgmock-dev doxygen clang libclang-rt-14-dev libosmesa6-dev embree-tools)
+
+# install_packages NAME...: installs those that are missing; says so; does nothing when all are there.
+install_packages() {
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        echo "This is not Debian. Going on; what is needed is what these packages hold: $*" >&2
+        return 0
+    fi
+    local name missing=() as_root=()
+    for name in "$@"; do
+        [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+    if [ "$(id -u)" != 0 ]; then
+        if ! command -v sudo >/dev/null; then
+            echo "error: these Debian packages are missing, and there is neither root nor sudo to install them. As root:" >&2
+            echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+            return 1
+        fi
+        as_root=(sudo)
+    fi
+    echo "Installing Debian packages: ${missing[*]}"
+    "${as_root[@]}" apt-get -qq update || echo "apt-get update failed; trying with the lists at hand" >&2
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get -qq install -y --no-install-recommends -o Dpkg::Use-Pty=0 "${missing[@]}" >/dev/null
+}
+
+# Whether this processor runs x86-64-v3 programs (AVX2, FMA, BMI).
+has_x86_64_v3() {
+    local flag
+    for flag in avx2 fma bmi1 bmi2 movbe f16c abm; do
+        grep -qw "$flag" /proc/cpuinfo 2>/dev/null || return 1
+    done
+}
+
+# configure_and_build PRESET [CMAKE-OPTION...]: into build/PRESET, quietly unless it fails.
+configure_and_build() {
+    local preset=$1 log
+    shift
+    command -v ccache >/dev/null && set -- -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"
+    log=$(mktemp)
+    if ! cmake --preset "$preset" "$@" >"$log" 2>&1; then
+        cat "$log" >&2
+        rm -f "$log"
+        return 1
+    fi
+    rm -f "$log"
+    cmake --build --preset "$preset" -j "$(nproc)"
+}
