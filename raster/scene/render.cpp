@@ -1,0 +1,76 @@
+// render.cpp: drawing what a plan asks for.
+#include <raster/scene/render.h>
+
+#include <raster/scene/draw_plan.h>
+
+namespace raster {
+namespace {
+
+/// Adds 1 to every pixel that it is drawn to.
+struct CountShader {
+    template <class F>
+    using Vertex = SurfaceVertex<F>;
+    template <class F>
+    struct Varyings {};
+
+    glm::mat4 clip_from_object;
+
+    template <class F>
+    VertexOut<F, Varyings> vertex(const SurfaceVertex<F>& v) const {
+        return {transform_point(clip_from_object, v.position), {}};
+    }
+    template <class F>
+    vec<4, F> fragment(const Varyings<F>&) const {
+        return {F(1), F(0), F(0), F(0)};
+    }
+};
+
+}  // namespace
+
+std::vector<Light> default_lights() {
+    Light light;
+    light.kind = LightKind::directional;
+    light.space = LightSpace::eye;
+    light.direction = {0.35f, -0.45f, -1.0f};
+    light.ambient = glm::vec3(0.15f);
+    light.diffuse = glm::vec3(0.85f);
+    light.specular = glm::vec3(0.5f);
+    return {light};
+}
+
+Material default_material() {
+    Material material;
+    material.name = "default";
+    material.diffuse = glm::vec3(0.8f);
+    material.specular = glm::vec3(0.3f);
+    material.shininess = 32.0f;
+    return material;
+}
+
+DrawCounts render(Target& target, const Model& model, const CameraMatrices& camera, const RenderOptions& options) {
+    target.clear(options.background);
+    DrawCounts counts;
+    const DrawPlan plan(model, options, target.extra_channels() > 0);
+    plan.for_each(camera, [&](const PlannedDraw& planned) {
+        with_shader(planned, [&](const auto& shader, const auto& mesh, const State& state) {
+            counts += draw(target, shader, mesh, state);
+        });
+    });
+    return counts;
+}
+
+DrawCounts render_overdraw(Target& target, const Model& model, const CameraMatrices& camera, const RenderOptions& options) {
+    target.clear(glm::vec4(0.0f));
+    DrawCounts counts;
+    RenderOptions cheap = options;
+    cheap.frequency = ShadingFrequency::phong;  // nothing is shaded here, so nothing need be lit beforehand
+    const DrawPlan plan(model, cheap, false);
+    plan.for_each(camera, [&](const PlannedDraw& planned) {
+        State state = planned.state;
+        state.blend = Blend::additive;
+        counts += draw(target, CountShader{planned.uniforms.clip_from_object}, planned.mesh, state);
+    });
+    return counts;
+}
+
+}  // namespace raster

@@ -1,0 +1,130 @@
+// light.h: light sources, and what arrives of each at a point: ambient, directional, point, spot.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <raster/math.h>
+#include <raster/shading/reflectance.h>
+
+namespace raster {
+
+enum class LightKind {
+    ambient,      ///< from everywhere, the same at every point; only its ambient colour counts
+    directional,  ///< from infinitely far away, parallel and equally strong everywhere
+    point,        ///< from one position to all sides
+    spot,         ///< from one position into a cone around an axis
+};
+
+/// The space that a light's position and direction are given in. One in eye space moves with the viewer.
+enum class LightSpace { world, eye };
+
+/// How a light weakens with the distance d: min(1 / (c1 + c2 d + c3 d^2), 1). All three are 0 or more.
+struct Attenuation {
+    float c1 = 1.0f;
+    float c2 = 0.0f;
+    float c3 = 0.0f;
+};
+
+/// A light as its user describes it. The intensities Ia, Id, Is are separate for the three terms and for each channel,
+/// linear, 0 and up. Ambient light is a light's share in what comes from everywhere: it does not weaken with distance
+/// and knows no cone.
+struct Light {
+    LightKind kind = LightKind::directional;
+    LightSpace space = LightSpace::world;
+    glm::vec3 ambient{0.0f};
+    glm::vec3 diffuse{1.0f};
+    glm::vec3 specular{1.0f};
+    glm::vec3 position{0.0f};           ///< of point and spot lights
+    glm::vec3 direction{0.0f, 0, -1};   ///< the way the light travels; a spot's axis. Of any length but 0
+    Attenuation attenuation;            ///< of point and spot lights
+    float cutoff_degrees = 30.0f;       ///< half the opening of a spot's cone, 0 to 180; outside there is no light
+    float falloff_exponent = 0.0f;      ///< a spot weakens by cos^exponent of the angle from its axis, 0 and up
+};
+
+/// A light ready for shading, in eye space.
+struct EyeLight {
+    LightKind kind;
+    glm::vec3 diffuse, specular;
+    glm::vec3 position_eye;
+    glm::vec3 direction_eye;  ///< unit length
+    Attenuation attenuation;
+    float cos_cutoff;
+    float falloff_exponent;
+};
+
+inline EyeLight to_eye(const Light& light, const glm::mat4& eye_from_world) {
+    const bool moves = light.space == LightSpace::world;
+    const glm::vec3 position = moves ? glm::vec3(eye_from_world * glm::vec4(light.position, 1.0f)) : light.position;
+    const glm::vec3 direction = moves ? glm::mat3(eye_from_world) * light.direction : light.direction;
+    const float cos_cutoff = float(sin_cos_degrees(clamp(light.cutoff_degrees, 0.0f, 180.0f)).cos);
+    return {light.kind, light.diffuse, light.specular, position, normalize_or_zero(direction), light.attenuation,
+            cos_cutoff, light.falloff_exponent};
+}
+
+/// All lights of a scene, ready for shading: one sum for what is ambient, and the others one by one.
+struct Lighting {
+    glm::vec3 ambient{0.0f};
+    std::vector<EyeLight> lights;
+};
+
+inline Lighting make_lighting(std::span<const Light> lights, const glm::mat4& eye_from_world) {
+    Lighting lighting;
+    for (const Light& light : lights) {
+        lighting.ambient += light.ambient;
+        if (light.kind != LightKind::ambient) lighting.lights.push_back(to_eye(light, eye_from_world));
+    }
+    return lighting;
+}
+
+/// min(1 / (c1 + c2 d + c3 d^2), 1).
+template <class F>
+inline F attenuate(const Attenuation& a, F distance, F squared_distance) {
+    return min(F(1) / (F(a.c1) + F(a.c2) * distance + F(a.c3) * squared_distance), F(1));
+}
+
+/// What arrives at a point: from where, and which part of the light's colours.
+template <class F>
+struct LightSample {
+    vec<3, F> l;  ///< to the light, unit length, eye space; zero at the light itself
+    F strength;   ///< 0 to 1
+};
+
+/// The kind of a light is the same for all lanes, so the branch below is taken once for all of them.
+template <class F>
+inline LightSample<F> sample_light(const EyeLight& light, const vec<3, F>& position_eye) {
+    if (light.kind == LightKind::directional) return {vec<3, F>(-light.direction_eye), F(1)};
+
+    const vec<3, F> to_light = vec<3, F>(light.position_eye) - position_eye;
+    const F squared_distance = max(glm::dot(to_light, to_light), F(1e-30f));
+    const F distance = sqrt(squared_distance);
+    const vec<3, F> l = to_light * (F(1) / distance);
+    const F strength = attenuate(light.attenuation, distance, squared_distance);
+    if (light.kind == LightKind::point) return {l, strength};
+
+    const F cos_axis = -glm::dot(l, vec<3, F>(light.direction_eye));
+    const F falloff = light.falloff_exponent == 0.0f ? F(1) : raster::pow(max(cos_axis, F(0)), light.falloff_exponent);
+    return {l, select(cos_axis >= F(light.cos_cutoff), strength * falloff, F(0))};
+}
+
+/// The sums over all lights of what a surface reflects, before its kd and ks.
+template <class F>
+struct Lit {
+    vec<3, F> diffuse, specular;
+};
+
+/// The reflectance model evaluated for every light, in their order.
+template <class Model, class F>
+inline Lit<F> illuminate(const Model& model, std::span<const EyeLight> lights, const Frame<F>& frame,
+                         const vec<3, F>& position_eye) {
+    Lit<F> sum{vec<3, F>(F(0)), vec<3, F>(F(0))};
+    for (const EyeLight& light : lights) {
+        const LightSample<F> from = sample_light(light, position_eye);
+        const Reflectance<F> value = model.evaluate(frame, from.l);
+        sum.diffuse = sum.diffuse + value.diffuse * from.strength * light.diffuse;
+        sum.specular = sum.specular + value.specular * from.strength * light.specular;
+    }
+    return sum;
+}
+
+}  // namespace raster

@@ -1,0 +1,65 @@
+// models.h: the list of reflectance models, and one type that can be any of them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <raster/shading/blinn_phong.h>
+#include <raster/shading/lambert.h>
+#include <raster/shading/phong.h>
+
+namespace raster {
+
+/// Any reflectance model, with its parameters. A new model is one file and one entry here.
+using AnyReflectance = std::variant<  //
+    Lambert,                          //
+    Phong,                            //
+    BlinnPhong>;
+
+/// A reflectance model that is chosen while running: one jump an evaluation instead of a specialised shader. It serves
+/// where shading is rare (vertices, faces); shaders of pixels are instantiated for each model.
+struct RuntimeModel {
+    static constexpr std::string_view name = "any";
+    static constexpr bool anisotropic = true;
+
+    AnyReflectance model;
+
+    RuntimeModel with_material(const Material& material) const {
+        return {std::visit([&](const auto& m) { return AnyReflectance(m.with_material(material)); }, model)};
+    }
+    template <class F>
+    Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
+        return std::visit([&](const auto& m) { return m.evaluate(frame, l); }, model);
+    }
+};
+
+namespace detail {
+template <class Visit, std::size_t... I>
+inline void for_each_model(const Visit& visit, std::index_sequence<I...>) {
+    (visit(std::variant_alternative_t<I, AnyReflectance>{}), ...);
+}
+inline constexpr auto model_indices = std::make_index_sequence<std::variant_size_v<AnyReflectance>>{};
+}  // namespace detail
+
+/// The names of all models, in the order of the list.
+inline std::array<std::string_view, std::variant_size_v<AnyReflectance>> reflectance_names() {
+    std::array<std::string_view, std::variant_size_v<AnyReflectance>> names;
+    std::size_t i = 0;
+    detail::for_each_model([&](const auto& model) { names[i++] = model.name; }, detail::model_indices);
+    return names;
+}
+
+/// The model of that name with its default parameters; nothing when there is none.
+inline std::optional<AnyReflectance> find_reflectance(std::string_view name) {
+    std::optional<AnyReflectance> found;
+    const auto look = [&](const auto& model) {
+        if (model.name == name) found = model;
+    };
+    detail::for_each_model(look, detail::model_indices);
+    return found;
+}
+
+}  // namespace raster

@@ -1,0 +1,81 @@
+// reflectance.h: what a reflectance model is: two directions and a frame in, a diffuse and a specular value out.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+
+#include <raster/lanes.h>
+#include <raster/scene/model.h>
+
+namespace raster {
+
+/// A point of a surface as a model sees it. All vectors have unit length and are in one space, eye space in this
+/// library's shaders; models use nothing but their dot products.
+template <class F>
+struct Frame {
+    vec<3, F> n;  ///< normal; zero where the model file left none, and then nothing is lit
+    vec<3, F> v;  ///< to the viewer
+    vec<3, F> t;  ///< tangent, along the grain; only for models that say `anisotropic`
+    vec<3, F> b;  ///< bitangent, cross(n, t)
+};
+
+/// What a model gives: how bright the surface looks from v under one light from l, before the material's kd and ks and
+/// the light's colour multiply it. It is pi f(l, v) cos(theta), with the BRDF f and the angle theta between n and l. So
+/// 1 is a perfect white Lambertian reflector that faces the light, and the textbooks' `kd (n l)` and `ks (r v)^n` stand
+/// as they are. Models without colours of their own give three equal channels.
+template <class F>
+struct Reflectance {
+    vec<3, F> diffuse;   ///< multiplied by kd and the light's diffuse colour
+    vec<3, F> specular;  ///< multiplied by ks and the light's specular colour
+};
+
+/// A reflectance model is a type like this one, in a file of its own, and one line in models.h:
+///
+///     struct Lambert {
+///         static constexpr std::string_view name = "lambert";      // on the command line
+///         static constexpr bool anisotropic = false;               // optional: whether it reads Frame's t and b
+///         float exponent = 32;                                     // parameters are members
+///         Lambert with_material(const Material& material) const;   // a copy with what an MTL file says of them
+///         template <class F>
+///         Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const;    // l: to the light, unit
+///     };
+///
+/// evaluate gives finite values that are not negative for all directions, and 0 for a light below the surface.
+template <class M>
+concept ReflectanceModel = requires(const M m, const Frame<float> frame, const vec<3, float> l, const Material material) {
+    { M::name } -> std::convertible_to<std::string_view>;
+    { m.with_material(material) } -> std::same_as<M>;
+    { m.evaluate(frame, l) } -> std::same_as<Reflectance<float>>;
+};
+
+/// Whether a model reads the tangents.
+template <class M>
+constexpr bool is_anisotropic() {
+    if constexpr (requires { M::anisotropic; }) {
+        return M::anisotropic;
+    } else {
+        return false;
+    }
+}
+
+/// v / |v|. The zero vector stays zero, so no NaN comes of it.
+template <class F>
+inline vec<3, F> normalize_or_zero(const vec<3, F>& v) {
+    return v * (F(1) / sqrt(max(glm::dot(v, v), F(1e-30f))));
+}
+
+/// A frame whose tangent is `grain`, the direction of brush marks or threads, laid onto the surface. Where the grain
+/// stands upright on the surface the tangents are zero.
+template <class F>
+inline Frame<F> make_frame(const vec<3, F>& n, const vec<3, F>& v, const vec<3, F>& grain) {
+    const vec<3, F> t = normalize_or_zero(grain - n * glm::dot(n, grain));
+    return {n, v, t, glm::cross(n, t)};
+}
+
+/// The same value in three channels.
+template <class F>
+inline vec<3, F> grey(F value) {
+    return vec<3, F>(value);
+}
+
+}  // namespace raster
