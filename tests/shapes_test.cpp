@@ -1,0 +1,487 @@
+// shapes_test.cpp: generated models are closed, oriented, unit-normalled and of the right size.
+#include <raster/scene/shapes.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <raster/scene/shapes_teapot_data.h>
+#include <raster/scene/transform.h>
+
+namespace raster {
+namespace {
+
+const double pi = std::acos(-1.0);
+
+/// A model's surface with vertices at one place made one: what the eye takes for one surface.
+struct Surface {
+    std::vector<glm::dvec3> points;
+    std::vector<std::array<int, 3>> triangles;
+
+    explicit Surface(const Model& model) {
+        std::map<std::array<float, 3>, int> number;
+        std::vector<int> point_of;
+        for (std::uint32_t i : model.indices) {
+            const glm::vec3& p = model.vertices[i].position;
+            const auto [at, is_new] = number.try_emplace({p.x, p.y, p.z}, int(points.size()));
+            if (is_new) points.emplace_back(p);
+            point_of.push_back(at->second);
+        }
+        for (std::size_t i = 0; i < point_of.size(); i += 3)
+            triangles.push_back({point_of[i], point_of[i + 1], point_of[i + 2]});
+    }
+
+    /// Directed edges that have no partner in the opposite direction.
+    std::vector<std::pair<int, int>> open_edges() const {
+        std::map<std::pair<int, int>, int> count;
+        for (const auto& t : triangles)
+            for (int k = 0; k < 3; ++k) ++count[{t[k], t[(k + 1) % 3]}];
+        std::vector<std::pair<int, int>> open;
+        for (const auto& [edge, n] : count) {
+            EXPECT_EQ(n, 1) << "a directed edge used twice: not a manifold, or not oriented";
+            if (!count.count({edge.second, edge.first})) open.push_back(edge);
+        }
+        return open;
+    }
+
+    int euler_characteristic() const {
+        std::set<std::pair<int, int>> edges;
+        for (const auto& t : triangles)
+            for (int k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+        return int(points.size()) - int(edges.size()) + int(triangles.size());
+    }
+
+    double volume() const {
+        double v = 0;
+        for (const auto& [a, b, c] : triangles) v += glm::dot(points[a], glm::cross(points[b], points[c]));
+        return v / 6;
+    }
+};
+
+struct NamedModel {
+    std::string name;
+    Model model;
+};
+
+/// Every generator, at its default and at odd and extreme counts.
+std::vector<NamedModel> all_models() {
+    const std::vector<glm::dvec2> vase = {{0, 0}, {0.5, 0}, {0.5, 0}, {0.3, 1}, {0.6, 1.5}};
+    return {{"cube", cube()},
+            {"box", box({-1, 0, 2}, {4, 0.5f, 3})},
+            {"tetrahedron", tetrahedron()},
+            {"plane", plane()},
+            {"plane 1", plane(1)},
+            {"sphere", sphere()},
+            {"sphere 3 2", sphere(3, 2)},
+            {"sphere 7 5", sphere(7, 5)},
+            {"torus", torus()},
+            {"torus 3 3", torus(0.7f, 3, 3)},
+            {"bowl", bowl()},
+            {"bowl 5 1", bowl(5, 1)},
+            {"vase", surface_of_revolution(smooth_profile(vase), 20)},
+            {"teapot", teapot()},
+            {"teapot 1", teapot(1)},
+            {"teapot 7", teapot(7)},
+            {"cornell box", cornell_box()},
+            {"cyclic trio", cyclic_trio()}};
+}
+
+TEST(Shapes, KeepThePromisesOfAModel) {
+    for (const auto& [name, m] : all_models()) {
+        SCOPED_TRACE(name);
+        ASSERT_FALSE(m.indices.empty());
+        ASSERT_EQ(m.indices.size() % 3, 0u);
+        for (std::uint32_t i : m.indices) ASSERT_LT(i, m.vertices.size());
+        std::size_t covered = 0;
+        for (const Part& p : m.parts) {
+            EXPECT_FALSE(p.name.empty());
+            EXPECT_EQ(p.first_index, covered);
+            EXPECT_GT(p.index_count, 0u);
+            EXPECT_LT(p.material, int(m.materials.size()));
+            covered += p.index_count;
+        }
+        EXPECT_EQ(covered, m.indices.size());
+        for (const auto& v : m.vertices) {
+            EXPECT_NEAR(glm::length(glm::dvec3(v.normal)), 1, 1.2e-7);
+            for (int k = 0; k < 2; ++k) EXPECT_TRUE(v.uv[k] >= 0 && v.uv[k] <= 1);
+            for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(v.position[k]));
+            for (int k = 0; k < 3; ++k) EXPECT_FALSE(v.position[k] == 0 && std::signbit(v.position[k]));
+            EXPECT_EQ(v.color, glm::vec3(1));
+        }
+    }
+}
+
+TEST(Shapes, TrianglesWindCounterClockwiseAroundTheirNormals) {
+    for (const auto& [name, m] : all_models()) {
+        SCOPED_TRACE(name);
+        // At these counts a triangle is as big as what it approximates, and may face away from an exact
+        // normal.
+        if (name == "teapot 1" || name == "torus 3 3") continue;
+        for (std::size_t i = 0; i < m.indices.size(); i += 3) {
+            const auto &a = m.vertices[m.indices[i]], &b = m.vertices[m.indices[i + 1]];
+            const auto& c = m.vertices[m.indices[i + 2]];
+            const glm::dvec3 n = glm::cross(glm::dvec3(b.position) - glm::dvec3(a.position),
+                                            glm::dvec3(c.position) - glm::dvec3(a.position));
+            EXPECT_GT(glm::length(n), 0);
+            for (const auto* v : {&a, &b, &c}) EXPECT_GT(glm::dot(n, glm::dvec3(v->normal)), 0) << i / 3;
+        }
+    }
+}
+
+TEST(Shapes, TexturesAreNotMirrored) {
+    for (const auto& [name, m] : all_models()) {
+        SCOPED_TRACE(name);
+        for (std::size_t i = 0; i < m.indices.size(); i += 3) {
+            const glm::dvec2 a(m.vertices[m.indices[i]].uv), b(m.vertices[m.indices[i + 1]].uv);
+            const glm::dvec2 c(m.vertices[m.indices[i + 2]].uv), ab = b - a, ac = c - a;
+            EXPECT_GT(ab.x * ac.y - ab.y * ac.x, 0) << i / 3;
+        }
+    }
+}
+
+TEST(Shapes, ClosedOnesAreWatertightAndOthersOpenWhereTheyShould) {
+    const std::tuple<const char*, Model, int, std::size_t> cases[] = {
+        {"cube", cube(), 2, 0},
+        {"tetrahedron", tetrahedron(), 2, 0},
+        {"sphere", sphere(), 2, 0},
+        {"coarse sphere", sphere(3, 2), 2, 0},
+        {"torus", torus(), 0, 0},
+        {"coarse torus", torus(0.5f, 3, 3), 0, 0},
+        {"plane", plane(5), 1, 20},
+        {"bowl", bowl(9, 4), 1, 9},
+    };
+    for (const auto& [name, model, euler, open] : cases) {
+        const Surface surface(model);
+        EXPECT_EQ(surface.euler_characteristic(), euler) << name;
+        EXPECT_EQ(surface.open_edges().size(), open) << name;
+    }
+}
+
+TEST(Shapes, HaveTheVolumesOfTheirSolids) {
+    EXPECT_DOUBLE_EQ(Surface(cube()).volume(), 8);
+    EXPECT_DOUBLE_EQ(Surface(tetrahedron()).volume(), 8.0 / 3);
+    EXPECT_DOUBLE_EQ(Surface(box({-1, 0, 2}, {4, 0.5f, 3})).volume(), 2.5);
+    EXPECT_NEAR(Surface(sphere(400, 200)).volume(), 4 * pi / 3, 1e-3);
+    EXPECT_NEAR(Surface(torus(0.25f, 400, 200)).volume(), 2 * pi * pi * 0.0625, 1e-3);
+    // A pyramid of n sides inside the double cone.
+    EXPECT_NEAR(Surface(sphere(6, 2)).volume(), std::sqrt(3.0), 1e-6);
+}
+
+TEST(Shapes, RoundOnesLieOnTheirSurfacesWithExactNormals) {
+    for (const auto& v : sphere(31, 17).vertices) {
+        EXPECT_NEAR(glm::length(glm::dvec3(v.position)), 1, 1e-7);
+        EXPECT_EQ(v.position, v.normal);
+    }
+    for (const auto& v : torus(0.3f, 31, 17).vertices) {
+        const glm::dvec3 p(v.position);
+        const glm::dvec3 on_circle = glm::normalize(glm::dvec3(p.x, 0, p.z));
+        EXPECT_NEAR(glm::length(p - on_circle), 0.3, 1e-6);
+        EXPECT_NEAR(glm::length((p - on_circle) / 0.3 - glm::dvec3(v.normal)), 0, 1e-6);
+    }
+    for (const auto& v : bowl().vertices) EXPECT_LE(v.position.y, 0);
+}
+
+TEST(Shapes, TheTextureOfASphereRunsEastwardWithItsSeamBehind) {
+    const auto place = [](const glm::vec2& uv) {
+        for (const auto& v : sphere(8, 4).vertices)
+            if (v.uv == uv) return v.position;
+        return glm::vec3(0);
+    };
+    EXPECT_EQ(place({0.0f, 0.5f}), glm::vec3(0, 0, -1));
+    EXPECT_EQ(place({0.25f, 0.5f}), glm::vec3(-1, 0, 0));
+    EXPECT_EQ(place({0.5f, 0.5f}), glm::vec3(0, 0, 1));
+    EXPECT_EQ(place({0.75f, 0.5f}), glm::vec3(1, 0, 0));
+    EXPECT_EQ(place({1.0f, 0.5f}), glm::vec3(0, 0, -1));
+    EXPECT_EQ(place({0.0625f, 1.0f}), glm::vec3(0, 1, 0)) << "the pole's tips lie between the meridians";
+}
+
+TEST(Shapes, CountsOutOfRangeAreBroughtIntoIt) {
+    EXPECT_EQ(plane(0).triangle_count(), 2u);
+    EXPECT_EQ(plane(-5).triangle_count(), 2u);
+    EXPECT_EQ(sphere(-1, -1).triangle_count(), 6u);
+    EXPECT_EQ(torus(0.5f, 0, 0).triangle_count(), 18u);
+    EXPECT_EQ(teapot(-3).triangle_count(), teapot(1).triangle_count());
+    for (float bad : {-1.0f, 0.0f, 2.0f, std::numeric_limits<float>::quiet_NaN()})
+        EXPECT_EQ(Surface(torus(bad, 8, 8)).euler_characteristic(), 0) << bad;
+    EXPECT_TRUE(surface_of_revolution({}, 8).indices.empty());
+    EXPECT_TRUE(surface_of_revolution(std::vector<ProfilePoint>(1), 8).indices.empty());
+    for (const auto& v : box({1, 1, 1}, {1, 1, 1}).vertices) EXPECT_EQ(v.normal, glm::vec3(0, 1, 0));
+}
+
+TEST(Profile, ARepeatedPointIsASharpEdge) {
+    const std::vector<glm::dvec2> points = {{0, 0}, {1, 0}, {1, 0}, {1, 2}};
+    const auto profile = smooth_profile(points);
+    ASSERT_EQ(profile.size(), 4u);
+    EXPECT_EQ(profile[1].normal, glm::dvec2(0, -1)) << "the floor looks down";
+    EXPECT_EQ(profile[2].normal, glm::dvec2(1, 0)) << "the wall looks outward";
+}
+
+TEST(Profile, AClosedProfileJoinsSmoothly) {
+    const std::vector<glm::dvec2> square = {{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0}};
+    const auto profile = smooth_profile(square);
+    EXPECT_EQ(profile.front().normal, profile.back().normal);
+    EXPECT_NEAR(profile.front().normal.x, -std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(profile.front().normal.y, -std::sqrt(0.5), 1e-12);
+    const Surface ring(surface_of_revolution(profile, 300));
+    EXPECT_EQ(ring.open_edges().size(), 0u);
+    EXPECT_NEAR(ring.volume(), 3 * pi, 1e-3);
+}
+
+// ------------------------------------------------------------------------------------------------ the teapot
+
+TEST(Teapot, TheTableIsWholeAndSymmetric) {
+    std::set<int> used;
+    using Patch = std::vector<std::array<double, 3>>;
+    std::multiset<Patch> patches, mirrored;
+    for (const auto& patch : detail::teapot_patches) {
+        Patch points, mirror;
+        for (int i : patch) {
+            ASSERT_TRUE(i >= 1 && i <= 306);
+            used.insert(i);
+            const auto& p = detail::teapot_points[i - 1];
+            points.push_back({p[0], p[1], p[2]});
+            mirror.push_back({p[0], -p[1] + 0.0, p[2]});
+        }
+        std::sort(points.begin(), points.end());
+        std::sort(mirror.begin(), mirror.end());
+        patches.insert(points);
+        mirrored.insert(mirror);
+    }
+    EXPECT_EQ(patches, mirrored) << "the pot is its own mirror image";
+    EXPECT_EQ(used.size(), 302u);
+    for (int relic : {205, 206, 216, 223}) EXPECT_EQ(used.count(relic), 0u);
+}
+
+TEST(Teapot, NeighbouringPatchesShareEveryEdgePoint) {
+    for (int n : {2, 3, 7, 10, 16}) {
+        const Surface pot(teapot(n));
+        EXPECT_EQ(int(pot.triangles.size()), 64 * n * n - 8 * n);
+        // Open are the inside of the rim and the underside of the lid, round four patches each, and both ends
+        // of the handle and of the spout, round two patches each.
+        const auto open = pot.open_edges();
+        EXPECT_EQ(int(open.size()), (4 + 4 + 2 + 2 + 2 + 2) * n) << n;
+        int on_rim = 0, on_lid = 0;
+        for (const auto& [a, b] : open) {
+            const glm::dvec3& p = pot.points[a];
+            const double radius = std::hypot(p.x, p.z);
+            if (std::fabs(p.y - 2.4) < 1e-6 && radius < 1.35) ++on_lid;
+            if (std::fabs(p.y - 2.4) < 1e-6 && radius > 1.35 && radius < 1.45) ++on_rim;
+        }
+        EXPECT_EQ(on_rim, 4 * n);
+        EXPECT_EQ(on_lid, 4 * n);
+        // Two discs (pot and lid) and two tubes; but the handle's lower end touches the pot in one point.
+        EXPECT_EQ(pot.euler_characteristic(), 2 - 1);
+    }
+}
+
+TEST(Teapot, HasItsKnownSize) {
+    const Model pot = teapot(64);
+    glm::vec3 low(1e9f), high(-1e9f);
+    for (const auto& v : pot.vertices) {
+        for (int k = 0; k < 3; ++k) low[k] = std::fmin(low[k], v.position[k]);
+        for (int k = 0; k < 3; ++k) high[k] = std::fmax(high[k], v.position[k]);
+    }
+    EXPECT_EQ(low, glm::vec3(-3, 0, -2));
+    EXPECT_EQ(high.y, 3.15f);
+    EXPECT_EQ(high.z, 2.0f);
+    EXPECT_NEAR(high.x, 3.434, 1e-3);
+}
+
+TEST(Teapot, IsItsOwnMirrorImage) {
+    const Model pot = teapot(5);
+    std::set<std::array<float, 6>> points;
+    for (const auto& v : pot.vertices)
+        points.insert({v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z});
+    for (const auto& p : points)
+        EXPECT_EQ(points.count({p[0], p[1], -p[2] + 0.0f, p[3], p[4], -p[5] + 0.0f}), 1u) << p[0];
+}
+
+/// De Casteljau's construction in one direction: an evaluation that shares nothing with the library's.
+glm::dvec3 de_casteljau(std::array<glm::dvec3, 4> p, double t) {
+    for (int level = 3; level > 0; --level)
+        for (int i = 0; i < level; ++i) p[i] = p[i] * (1 - t) + p[i + 1] * t;
+    return p[0];
+}
+
+glm::dvec3 teapot_point(int patch, double along, double across) {
+    std::array<glm::dvec3, 4> column;
+    for (int r = 0; r < 4; ++r) {
+        std::array<glm::dvec3, 4> row;
+        for (int c = 0; c < 4; ++c) {
+            const auto& p = detail::teapot_points[detail::teapot_patches[patch][r * 4 + c] - 1];
+            row[c] = {p[0], p[2], -p[1]};
+        }
+        column[r] = de_casteljau(row, across);
+    }
+    return de_casteljau(column, along);
+}
+
+TEST(Teapot, PointsAndNormalsAgreeWithDeCasteljauAndDifferences) {
+    const int n = 9;
+    const Model pot = teapot(n);
+    for (int patch = 0; patch < 32; ++patch) {
+        for (int i = 0; i <= n; ++i) {
+            for (int j = 0; j <= n; ++j) {
+                const auto& v = pot.vertices[(patch * (n + 1) + i) * (n + 1) + j];
+                const double s = double(i) / n, t = double(j) / n;
+                EXPECT_LT(glm::length(glm::dvec3(v.position) - teapot_point(patch, s, t)), 5e-7);
+                // A polynomial goes on beyond the patch, so central differences work on its border too; at a
+                // pole the point a little way off stands for it.
+                const double h = 1e-5, s_in = patch >= 20 && i == 0 ? 1e-3 : s;
+                const glm::dvec3 across = teapot_point(patch, s_in, t + h) - teapot_point(patch, s_in, t - h);
+                const glm::dvec3 along = teapot_point(patch, s_in + h, t) - teapot_point(patch, s_in - h, t);
+                const glm::dvec3 normal = glm::normalize(glm::cross(across, along));
+                EXPECT_LT(glm::length(normal - glm::dvec3(v.normal)), s_in == s ? 1e-5 : 0.02)
+                    << patch << " " << i << " " << j;
+            }
+        }
+    }
+}
+
+TEST(Teapot, PolesAreSmooth) {
+    int top = 0, bottom = 0;
+    for (const auto& v : teapot(6).vertices) {
+        if (v.position == glm::vec3(0, 3.15f, 0)) {
+            ++top;
+            EXPECT_NEAR(v.normal.y, 1, 1e-6);
+        }
+        if (v.position == glm::vec3(0, 0, 0)) {
+            ++bottom;
+            EXPECT_NEAR(v.normal.y, -1, 1e-6);
+        }
+    }
+    EXPECT_EQ(top, 4 * 7);
+    EXPECT_EQ(bottom, 4 * 7);
+}
+
+TEST(Teapot, HasItsPartsByName) {
+    std::vector<std::string> names;
+    for (const Part& p : teapot(3).parts) names.push_back(p.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"rim", "body", "handle", "spout", "lid", "bottom"}));
+}
+
+// ------------------------------------------------------------------------------------------- the Cornell box
+
+TEST(CornellBox, IsARoomOpenOnlyToTheViewer) {
+    const Model model = cornell_box();
+    Model room = model;
+    std::size_t blocks = 0;
+    for (const Part& p : model.parts)
+        if (p.name.find("block") != std::string::npos) blocks += p.index_count;
+    room.indices.resize(room.indices.size() - blocks);
+    const Surface walls(room);
+    const auto open = walls.open_edges();
+    EXPECT_EQ(open.size(), 4u) << "the light fills its hole, walls meet";
+    for (const auto& [a, b] : open) EXPECT_TRUE(walls.points[a].z == 0 && walls.points[b].z == 0);
+    EXPECT_EQ(Surface(model).open_edges().size(), 4u + 4u + 4u) << "and the blocks have no underside";
+}
+
+TEST(CornellBox, FacesLookIntoTheRoomAndOutOfTheBlocks) {
+    const Model m = cornell_box();
+    for (const Part& part : m.parts) {
+        const bool block = part.name.find("block") != std::string::npos;
+        glm::dvec3 middle(0.0);
+        for (std::uint32_t i = 0; i < part.index_count; ++i)
+            middle += glm::dvec3(m.vertices[m.indices[part.first_index + i]].position);
+        middle /= double(part.index_count);
+        if (!block) middle = {278, 274.4, 279.6};
+        for (std::uint32_t i = 0; i < part.index_count; ++i) {
+            const auto& v = m.vertices[m.indices[part.first_index + i]];
+            const double outward = glm::dot(glm::dvec3(v.normal), glm::dvec3(v.position) - middle);
+            EXPECT_TRUE(block ? outward > 0 : outward < 0) << part.name;
+        }
+    }
+}
+
+TEST(CornellBox, HasItsPublishedMaterialsAndSizes) {
+    const Model m = cornell_box();
+    std::map<std::string, std::string> materials;
+    for (const Part& p : m.parts) materials[p.name] = m.materials[p.material].name;
+    const std::map<std::string, std::string> expected = {
+        {"floor", "white"},     {"ceiling", "white"},   {"back_wall", "white"},  {"right_wall", "green"},
+        {"left_wall", "red"},   {"light", "light"},     {"short_block", "white"}, {"tall_block", "white"}};
+    EXPECT_EQ(materials, expected);
+    const auto area = [&](const std::string& name) {
+        double sum = 0;
+        for (const Part& p : m.parts) {
+            if (p.name != name) continue;
+            for (std::uint32_t i = p.first_index; i < p.first_index + p.index_count; i += 3) {
+                const auto at = [&](int k) { return glm::dvec3(m.vertices[m.indices[i + k]].position); };
+                sum += glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2;
+            }
+        }
+        return sum;
+    };
+    EXPECT_NEAR(area("light"), 130 * 105, 1e-3);
+    EXPECT_NEAR(area("ceiling") + area("light"), 556 * 559.2, 0.05);
+    EXPECT_NEAR(area("right_wall"), 559.2 * 548.8, 0.05);
+    EXPECT_GT(m.materials[3].emission.x, 0);
+}
+
+TEST(CornellBox, TheMeasuredCameraSeesRedOnTheLeftAndGreenOnTheRight) {
+    const auto matrices = camera_matrices(cornell_camera(), 1);
+    ASSERT_TRUE(matrices);
+    const Model m = cornell_box();
+    for (const auto& v : m.vertices) {
+        const glm::vec4 clip = matrices->clip_from_world * glm::vec4(v.position, 1);
+        EXPECT_TRUE(clip.z > -clip.w && clip.z < clip.w) << "between the planes";
+    }
+    const glm::vec4 left = matrices->clip_from_world * glm::vec4(552.8f, 0, 0, 1);
+    const glm::vec4 right = matrices->clip_from_world * glm::vec4(0, 0, 0, 1);
+    EXPECT_NEAR(left.x / left.w, -1, 0.05) << "the opening fills the picture";
+    EXPECT_NEAR(right.x / right.w, 1, 0.05);
+}
+
+// ------------------------------------------------------------------------------------------- the cyclic trio
+
+/// Where triangles a and b of a model overlap on the picture: 1 if a is nearer in all of it, -1 if b, 0 if
+/// mixed or no overlap.
+int nearer(const Model& m, const glm::mat4& clip_from_world, int a, int b) {
+    const auto ndc = [&](int triangle, int corner) {
+        const auto& v = m.vertices[m.indices[std::size_t(triangle * 3 + corner)]];
+        const glm::dvec4 clip = glm::dmat4(clip_from_world) * glm::dvec4(v.position, 1.0);
+        return glm::dvec3(clip) / clip.w;
+    };
+    // Depth of the triangle at (x, y), NaN outside.
+    const auto depth = [&](int triangle, double x, double y) {
+        const glm::dvec3 p = ndc(triangle, 0), q = ndc(triangle, 1), r = ndc(triangle, 2);
+        const auto area = [](double ax, double ay, double bx, double by) { return ax * by - ay * bx; };
+        const double whole = area(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y);
+        const double wq = area(x - p.x, y - p.y, r.x - p.x, r.y - p.y) / whole;
+        const double wr = area(q.x - p.x, q.y - p.y, x - p.x, y - p.y) / whole;
+        if (whole <= 0 || wq < 0 || wr < 0 || wq + wr > 1) return std::nan("");
+        return p.z + wq * (q.z - p.z) + wr * (r.z - p.z);
+    };
+    int in_front = 0, behind = 0;
+    for (int i = 0; i < 200; ++i) {
+        for (int j = 0; j < 200; ++j) {
+            const double x = (i - 100) / 100.0, y = (j - 100) / 100.0;
+            const double za = depth(a, x, y), zb = depth(b, x, y);
+            if (za < zb) ++in_front;
+            if (za > zb) ++behind;
+        }
+    }
+    return in_front > 20 && behind == 0 ? 1 : behind > 20 && in_front == 0 ? -1 : 0;
+}
+
+TEST(CyclicTrio, EachTriangleIsInFrontOfTheNext) {
+    const Model m = cyclic_trio();
+    ASSERT_EQ(m.triangle_count(), 3u);
+    const Camera from_above_right = auto_frame({{-1.4f, -1.4f, -0.4f}, {1.4f, 1.4f, 0.4f}}, 1);
+    Camera from_the_front;
+    from_the_front.position = {0, 0, 8};
+    for (const Camera& camera : {from_the_front, from_above_right}) {
+        const auto matrices = camera_matrices(camera, 1);
+        ASSERT_TRUE(matrices);
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(nearer(m, matrices->clip_from_world, i, (i + 1) % 3), 1) << i;
+    }
+}
+
+}  // namespace
+}  // namespace raster
