@@ -9,7 +9,7 @@ void Target::clear(glm::vec4 color, float depth) {
     pending_ = true;
     pending_color_ = color;
     pending_color8_ = std::uint32_t(pack_rgba8(color));
-    pending_depth_ = std::uint32_t(encode_depth(depth_format_, depth));
+    pending_depth_ = encode_clear_depth(depth_format_, depth);
 }
 
 void Target::write_clear(std::size_t index, int count) {

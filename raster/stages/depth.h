@@ -1,6 +1,7 @@
 // depth.h: stage 8, the z-buffer (Catmull 1974): encode a depth, compare it with the stored one.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include <raster/lanes.h>
@@ -18,6 +19,13 @@ template <class F>
 inline Int<F> encode_depth(DepthFormat format, F z) {
     const F clamped = max(min(z, F(1)), F(0));
     return format == DepthFormat::unorm24 ? round_to_int(clamped * F(16777215.0f)) : as_int(clamped);
+}
+
+/// The same for clearing, where drivers round once: 24 bits and a half do not fit a float.
+inline std::uint32_t encode_clear_depth(DepthFormat format, float z) {
+    const float clamped = max(min(z, 1.0f), 0.0f);
+    return format == DepthFormat::unorm24 ? std::uint32_t(std::nearbyint(double(clamped) * 16777215.0))
+                                          : std::uint32_t(as_int(clamped));
 }
 
 inline float decode_depth(DepthFormat format, std::uint32_t stored) {
