@@ -31,7 +31,7 @@ std::vector<Light> default_lights() {
     Light light;
     light.kind = LightKind::directional;
     light.space = LightSpace::eye;
-    light.direction = {0.35f, -0.45f, -1.0f};
+    light.direction = {0.25f, -0.35f, -1.0f};
     light.ambient = glm::vec3(0.15f);
     light.diffuse = glm::vec3(0.85f);
     light.specular = glm::vec3(0.5f);
