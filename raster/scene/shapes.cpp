@@ -71,7 +71,8 @@ Model cyclic_trio() {
         builder.face(turned(-1.2, -0.8, -0.4), turned(1.4, -0.45, 0.4), turned(-1.2, -0.1, -0.4));
         Material material;
         material.name = colors[i].first;
-        material.diffuse = colors[i].second;
+        material.ambient = material.diffuse = colors[i].second;
+        material.illumination = 1;  // no highlights
         builder.part(material.name, builder.material(material));
     }
     return builder.take();

@@ -14,8 +14,9 @@ Model cornell_box() {
     const auto material = [&](const char* name, const glm::vec3& diffuse, const glm::vec3& emission) {
         Material m;
         m.name = name;
-        m.diffuse = diffuse;
+        m.ambient = m.diffuse = diffuse;
         m.emission = emission;
+        m.illumination = 1;  // no highlights
         return room.material(m);
     };
     const int white = material("white", {0.725f, 0.71f, 0.68f}, glm::vec3(0.0f));
