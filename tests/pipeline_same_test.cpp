@@ -2,9 +2,9 @@
 #include <cstring>
 
 #include <gtest/gtest.h>
-#include <raster/pipeline.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+#include <raster/pipeline.h>
 
 #include "scenes.h"
 
@@ -17,18 +17,36 @@ using raster::testing::seed;
 
 /// Uses all that a shader may: every interpolation, extra outputs, and where its fragment lies.
 struct Full {
-    template <class F> struct Vertex { vec<4, F> position; vec<4, F> color; vec<2, F> id; };
-    template <class F> struct Varyings { vec<4, F> color; vec<2, F> id; vec<2, F> affine; };
-    template <class F> struct Outputs { vec<4, F> color; vec<2, F> id; vec<2, F> window; F z, oow, side; };
+    template <class F>
+    struct Vertex {
+        vec<4, F> position;
+        vec<4, F> color;
+        vec<2, F> id;
+    };
+    template <class F>
+    struct Varyings {
+        vec<4, F> color;
+        vec<2, F> id;
+        vec<2, F> affine;
+    };
+    template <class F>
+    struct Outputs {
+        vec<4, F> color;
+        vec<2, F> id;
+        vec<2, F> window;
+        F z, oow, side;
+    };
     static constexpr Interpolation interpolation(int i) {
         return i < 4 ? Interpolation::smooth : i < 6 ? Interpolation::flat : Interpolation::noperspective;
     }
     float gain = 1;
 
-    template <class F> VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
         return {v.position, {v.color, v.id, vec<2, F>(v.color.x, v.color.y * F(gain))}};
     }
-    template <class F> Outputs<F> fragment(const Varyings<F>& in, const FragmentInput<F>& at) const {
+    template <class F>
+    Outputs<F> fragment(const Varyings<F>& in, const FragmentInput<F>& at) const {
         const F side = select(at.front_facing, to_float(at.triangle), F(-1) - to_float(at.triangle));
         return {in.color, in.id + in.affine, at.window, at.z, at.oow, side};
     }
@@ -36,25 +54,48 @@ struct Full {
 
 /// The usual case: smooth colours alone.
 struct Smooth {
-    template <class F> using Vertex = Full::Vertex<F>;
-    template <class F> struct Varyings { vec<4, F> color; };
-    template <class F> VertexOut<F, Varyings> vertex(const Vertex<F>& v) const { return {v.position, {v.color}}; }
-    template <class F> vec<4, F> fragment(const Varyings<F>& in) const { return in.color; }
+    template <class F>
+    using Vertex = Full::Vertex<F>;
+    template <class F>
+    struct Varyings {
+        vec<4, F> color;
+    };
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {v.position, {v.color}};
+    }
+    template <class F>
+    vec<4, F> fragment(const Varyings<F>& in) const {
+        return in.color;
+    }
 };
 
 /// No varyings at all.
 struct Uniform {
-    template <class F> using Vertex = Full::Vertex<F>;
-    template <class F> struct Varyings {};
-    template <class F> VertexOut<F, Varyings> vertex(const Vertex<F>& v) const { return {v.position, {}}; }
-    template <class F> vec<4, F> fragment(const Varyings<F>&) const { return {F(0.25f), F(0.5f), F(1), F(0.5f)}; }
+    template <class F>
+    using Vertex = Full::Vertex<F>;
+    template <class F>
+    struct Varyings {};
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {v.position, {}};
+    }
+    template <class F>
+    vec<4, F> fragment(const Varyings<F>&) const {
+        return {F(0.25f), F(0.5f), F(1), F(0.5f)};
+    }
 };
 
 /// Depth alone.
 struct DepthOnly {
-    template <class F> using Vertex = Full::Vertex<F>;
-    template <class F> struct Varyings {};
-    template <class F> VertexOut<F, Varyings> vertex(const Vertex<F>& v) const { return {v.position, {}}; }
+    template <class F>
+    using Vertex = Full::Vertex<F>;
+    template <class F>
+    struct Varyings {};
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {v.position, {}};
+    }
 };
 
 using Vertices = std::vector<Full::Vertex<float>>;
@@ -100,8 +141,9 @@ template <class T>
     if (!different) return ::testing::AssertionSuccess();
     const std::size_t pixel = first * a.size() / left.size();
     return ::testing::AssertionFailure() << different << " values of the " << what << " plane differ, first at ("
-                                         << pixel % std::size_t(width) << ", " << pixel / std::size_t(width) << "): "
-                                         << std::hex << left[first] << " observed, " << right[first] << " fast";
+                                         << pixel % std::size_t(width) << ", " << pixel / std::size_t(width)
+                                         << "): " << std::hex << left[first] << " observed, " << right[first]
+                                         << " fast";
 }
 
 void expect_same(const Target& observed, const Target& fast) {
@@ -202,9 +244,9 @@ TEST(Same, EveryCullFillAndTopologyCombination) {
 
 TEST(Same, SizesThatFitNoTile) {
     Random random(seed(3));
-    constexpr int sizes[][2] = {{1, 1},   {1, 300},  {300, 1},   {2, 2},    {3, 5},    {7, 63},    {8, 8},     {15, 17},
-                                {63, 64}, {64, 64},  {65, 65},   {127, 129}, {128, 128}, {200, 33}, {257, 255}, {640, 3},
-                                {33, 640}, {333, 222}};
+    constexpr int sizes[][2] = {{1, 1},     {1, 300},  {300, 1},   {2, 2},   {3, 5},    {7, 63},
+                                {8, 8},     {15, 17},  {63, 64},   {64, 64}, {65, 65},  {127, 129},
+                                {128, 128}, {200, 33}, {257, 255}, {640, 3}, {33, 640}, {333, 222}};
     for (const auto& [width, height] : sizes) {
         SCOPED_TRACE(::testing::Message() << width << " x " << height);
         Pair pair(width, height, ColorFormat::rgba8, DepthFormat::unorm24, 3);
@@ -217,18 +259,30 @@ TEST(Same, SizesThatFitNoTile) {
 
 TEST(Same, ViewportsInsideAcrossAndBeyondTheTarget) {
     Random random(seed(4));
-    std::vector<Viewport> viewports = {
-        {0, 0, 0, 0},     {10, 20, 50, 30},        {-40, -30, 200, 150},    {90, 60, 100, 100}, {0, 0, 1, 1},
-        {5, 5, 3, 200},   {-16384, -16384, 32768, 32768}, {-16384, 0, 20000, 80}, {200, 0, 10, 10},  {-50, 0, 40, 40},
-        {0, 0, 100, 0},   {0, 0, 20000, 10},       {0, 0, -5, 10},          {-20000, 0, 20, 20},
-        {0, 0, 100, 80, 1.0f, 0.0f}, {0, 0, 100, 80, 0.25f, 0.5f}, {0, 0, 100, 80, 0.5f, 0.5f}};
+    std::vector<Viewport> viewports = {{0, 0, 0, 0},
+                                       {10, 20, 50, 30},
+                                       {-40, -30, 200, 150},
+                                       {90, 60, 100, 100},
+                                       {0, 0, 1, 1},
+                                       {5, 5, 3, 200},
+                                       {-16384, -16384, 32768, 32768},
+                                       {-16384, 0, 20000, 80},
+                                       {200, 0, 10, 10},
+                                       {-50, 0, 40, 40},
+                                       {0, 0, 100, 0},
+                                       {0, 0, 20000, 10},
+                                       {0, 0, -5, 10},
+                                       {-20000, 0, 20, 20},
+                                       {0, 0, 100, 80, 1.0f, 0.0f},
+                                       {0, 0, 100, 80, 0.25f, 0.5f},
+                                       {0, 0, 100, 80, 0.5f, 0.5f}};
     for (int i = 0; i < 20; ++i) {
         const int x = random.integer(-100, 100), y = random.integer(-100, 100), width = random.integer(1, 300);
         viewports.push_back({x, y, width, random.integer(1, 300)});
     }
     for (const Viewport& viewport : viewports) {
-        SCOPED_TRACE(::testing::Message() << viewport.x << " " << viewport.y << " " << viewport.width << " "
-                                          << viewport.height);
+        SCOPED_TRACE(::testing::Message()
+                     << viewport.x << " " << viewport.y << " " << viewport.width << " " << viewport.height);
         Pair pair(100, 80, ColorFormat::rgba8, DepthFormat::unorm24, 7);
         State state = random_state(random);
         state.viewport = viewport;
@@ -257,8 +311,10 @@ TEST(Same, ShadersWithoutVaryingsOrWithoutColour) {
     for (int draw = 0; draw < 12; ++draw) {
         const Vertices vertices = mixed_scene(random, 30, 150, 150, draw & 1);
         const State state = random_state(random);
-        if (draw % 2) pair.draw(Uniform{}, Mesh(vertices), state);
-        else pair.draw(DepthOnly{}, Mesh(vertices), state);
+        if (draw % 2)
+            pair.draw(Uniform{}, Mesh(vertices), state);
+        else
+            pair.draw(DepthOnly{}, Mesh(vertices), state);
     }
     EXPECT_GT(pair.drawn, 0);
 }
@@ -352,8 +408,7 @@ TEST(Same, ManySeededStatesOnOnePicture) {
 TEST(Same, AnyNumberOfThreads) {
     Random random(seed(13));
     Vertices vertices = mixed_scene(random, 2000, 400, 300, true);
-    for (int i = 0; i < 3000; ++i)
-        add_triangle(vertices, make_triangle(Group::small, random, 400, 300), random);
+    for (int i = 0; i < 3000; ++i) add_triangle(vertices, make_triangle(Group::small, random, 400, 300), random);
     for (const auto blend : {Blend::off, Blend::source_over}) {
         State state;
         state.blend = blend;

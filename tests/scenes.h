@@ -19,18 +19,30 @@ namespace raster::testing {
 /// What a triangle is made to test. The last four are beyond what programs draw: slivers across the volume's border;
 /// corners on one line before snapping; numbers up to 1e6, NaN and w = 0; all that floats can be.
 enum class Group {
-    big, perspective, small, slivers, half_pixel_grid, ties, axis_aligned, clip_near, clip_far, clip_sides, clip_all,
-    clip_slivers, collinear, huge, wild,
+    big,
+    perspective,
+    small,
+    slivers,
+    half_pixel_grid,
+    ties,
+    axis_aligned,
+    clip_near,
+    clip_far,
+    clip_sides,
+    clip_all,
+    clip_slivers,
+    collinear,
+    huge,
+    wild,
 };
 inline constexpr int group_count = int(Group::wild) + 1;
 inline constexpr std::array<const char*, group_count> group_names = {
-    "big",          "perspective", "small",     "slivers",  "half_pixel_grid",
-    "ties",         "axis_aligned", "clip_near", "clip_far", "clip_sides",
-    "clip_all",     "clip_slivers", "collinear", "huge",     "wild"};
+    "big",      "perspective", "small",    "slivers",      "half_pixel_grid", "ties", "axis_aligned", "clip_near",
+    "clip_far", "clip_sides",  "clip_all", "clip_slivers", "collinear",       "huge", "wild"};
 inline std::string name(Group group) { return group_names[std::size_t(group)]; }
 
-/// The clip position whose window position is (x, y) in pixels from the top left. Exact for sizes that are powers of two
-/// and positions on a grid.
+/// The clip position whose window position is (x, y) in pixels from the top left. Exact for sizes that are powers of
+/// two and positions on a grid.
 inline glm::vec4 clip_at(float x, float y, float ndc_z, float w, int width, int height) {
     return glm::vec4(x * 2.0f / float(width) - 1.0f, 1.0f - y * 2.0f / float(height), ndc_z, 1.0f) * w;
 }
@@ -120,8 +132,9 @@ inline Corners make_triangle(Group group, Random& random, int width, int height)
         case Group::huge:
         case Group::wild: {
             constexpr float infinity = std::numeric_limits<float>::infinity();
-            constexpr std::array odd = {0.0f,  -0.0f, 1e-20f, -1e-20f, 1e-10f, 65536.0f, -65536.0f, 1e6f,      -1e6f, 1.0f,
-                                        -1.0f, NAN,   1e20f,  -1e30f,  3e38f,  -3e38f,   1e-40f,    -infinity, infinity};
+            constexpr std::array odd = {0.0f,  -0.0f,  1e-20f, -1e-20f,   1e-10f,  65536.0f, -65536.0f,
+                                        1e6f,  -1e6f,  1.0f,   -1.0f,     NAN,     1e20f,    -1e30f,
+                                        3e38f, -3e38f, 1e-40f, -infinity, infinity};
             const int last = group == Group::huge ? 11 : 18;
             each([&] {
                 glm::vec4 corner;
