@@ -56,12 +56,12 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& m) const {
     s.diffuse = m.diffuse;
     s.specular = m.specular;
     s.emission = m.emission;
-    s.alpha = m.alpha;
+    if (options_.blend) s.alpha = m.alpha;
     s.ambient_texture = view(m.ambient_texture, m, true);
     s.diffuse_texture = view(m.diffuse_texture, m, true);
     s.specular_texture = view(m.specular_texture, m, true);
     s.emission_texture = view(m.emission_texture, m, true);
-    s.alpha_texture = view(m.alpha_texture, m, false);
+    if (options_.blend) s.alpha_texture = view(m.alpha_texture, m, false);
     if (s.alpha_texture) {
         const int channels = model_.textures[std::size_t(m.alpha_texture)].image.channels;
         s.alpha_texture_has_alpha = channels == 2 || channels == 4;
@@ -76,7 +76,7 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& m) const {
 
     AnyReflectance reflectance = options_.reflectance;
     if (options_.reflectance_from_material) reflectance = RuntimeModel{reflectance}.with_material(m).model;
-    return {s, reflectance, options_.blend && (s.alpha < 1.0f || s.alpha_texture)};
+    return {s, reflectance, s.alpha < 1.0f || s.alpha_texture};
 }
 
 State DrawPlan::state_for(const Run& run) const {
