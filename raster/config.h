@@ -9,6 +9,14 @@
 #error "raster: floats must be evaluated as floats (on 32-bit x86 use -msse2 -mfpmath=sse)"
 #endif
 
+/// On a loop over pixels or vertices: inline all that it calls, the user's shader included. Packs then stay in registers;
+/// across calls they would travel through memory.
+#if defined(__GNUC__)
+#define RASTER_FLATTEN [[gnu::flatten]]
+#else
+#define RASTER_FLATTEN
+#endif
+
 namespace raster {
 
 /// Lanes of a pack: how many floats the target's registers hold. It changes speed, never a bit of a picture.

@@ -232,7 +232,7 @@ private:
             const glm::vec4 before = target_.color(x, y);
             if (target_.color_format() == ColorFormat::rgba8) {
                 std::uint32_t& color = target_.color8()[place];
-                color = std::uint32_t(blend_rgba8(state_.blend, pack_rgba8(source), std::int32_t(color)));
+                color = blend_rgba8(state_.blend, std::uint32_t(pack_rgba8(source)), color);
             } else {
                 glm::vec4& color = target_.color_float()[place];
                 color = blend_float(state_.blend, source, color);

@@ -24,28 +24,31 @@ inline glm::vec4 unpack_rgba8(std::uint32_t c) {
     return glm::vec4(float(c & 255), float(c >> 8 & 255), float(c >> 16 & 255), float(c >> 24)) / 255.0f;
 }
 
-/// x * y / 255 rounded, for x and y in 0..255, without a division: (q + q / 256 + 128) / 256 with q = x * y.
+/// x * y / 255 rounded, for x and y in 0..255, without a division: (q + q / 256 + 128) / 256 with q = x * y. x holds two
+/// channels, in bits 0..7 and 16..23; no step carries from one into the other, since q + q / 256 + 128 < 2^16.
 template <class I>
 inline I multiply_unorm8(I x, I y) {
+    const I two_channels(0x00ff00ff);
     const I q = x * y;
-    return (q + (q >> 8) + I(128)) >> 8;
+    return ((q + ((q >> 8) & two_channels) + I(0x00800080)) >> 8) & two_channels;
 }
 
-/// Packed source over, beside or added to packed destination, in 8 bits as OpenGL drivers do.
+/// Packed source over, beside or added to packed destination, in 8 bits as OpenGL drivers do. I is std::uint32_t or
+/// IntPack: two channels at once need a type that wraps.
 template <class I>
 inline I blend_rgba8(Blend blend, I source, I destination) {
     if (blend == Blend::off) return source;
-    const I source_alpha = (source >> 24) & I(255);
-    I result(0);
-    for (int shift = 0; shift < 32; shift += 8) {
-        const I s = (source >> shift) & I(255);
-        const I d = (destination >> shift) & I(255);
-        I mixed = s + d;
-        if (blend == Blend::source_over)
-            mixed = multiply_unorm8(s, source_alpha) + multiply_unorm8(d, I(255) - source_alpha);
-        result = result | (select(mixed > I(255), I(255), mixed) << shift);
-    }
-    return result;
+    const I two_channels(0x00ff00ff);
+    const I alpha = (source >> 24) & I(255);
+    const auto mix = [&](I s, I d) {
+        if (blend == Blend::source_over) return multiply_unorm8(s, alpha) + multiply_unorm8(d, I(255) - alpha);
+        const I sum = s + d;
+        const I overflow = (sum >> 8) & I(0x00010001);
+        return (sum | (overflow * I(255))) & two_channels;
+    };
+    const I red_blue = mix(source & two_channels, destination & two_channels);
+    const I green_alpha = mix((source >> 8) & two_channels, (destination >> 8) & two_channels);
+    return red_blue | (green_alpha << 8);
 }
 
 /// The same for float targets, unrounded and unclamped.

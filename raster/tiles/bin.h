@@ -9,6 +9,7 @@
 #include <raster/stages/cull.h>
 #include <raster/stages/setup.h>
 #include <raster/state.h>
+#include <raster/tiles/lane_triangles.h>
 #include <raster/tiles/vertices.h>
 
 namespace raster::tiles {
@@ -41,13 +42,42 @@ struct DrawContext {
 
     /// The three vertices of a triangle, by number; beyond the vertex array for a bad index.
     std::array<std::uint32_t, 3> corners(std::size_t triangle) const {
+        if (state.topology == Topology::triangles && !indices.empty()) {
+            const std::uint32_t* p = indices.data() + 3 * triangle;
+            return {p[0], p[1], p[2]};
+        }
         const auto places = assemble(state.topology, triangle);
         if (indices.empty()) return {std::uint32_t(places[0]), std::uint32_t(places[1]), std::uint32_t(places[2])};
         return {indices[places[0]], indices[places[1]], indices[places[2]]};
     }
+    /// The corners of triangles start, start + 1, ... in lanes; lanes from `count` on repeat the last.
+    void load_corners(std::size_t start, int count, std::array<IntN, 3>& out) const {
+        if (state.topology == Topology::triangles && !indices.empty()) {
+            const std::uint32_t* p = indices.data() + 3 * start;
+            for (int lane = 0; lane < native_lanes; ++lane) {
+                const int i = 3 * std::min(lane, count - 1);
+                for (int c = 0; c < 3; ++c) out[std::size_t(c)].v[lane] = std::int32_t(p[i + c]);
+            }
+            return;
+        }
+        for (int lane = 0; lane < native_lanes; ++lane) {
+            const auto v = corners(start + std::size_t(std::min(lane, count - 1)));
+            for (std::size_t c = 0; c < 3; ++c) out[c].v[lane] = std::int32_t(v[c]);
+        }
+    }
     /// Whether the vertex was shaded; numbers below `first` wrap to large ones.
     bool exists(std::uint32_t vertex) const { return vertex - buffer.first < buffer.window.size(); }
 };
+
+/// Positions of the three corners of a bin's entry.
+template <Shader S>
+inline std::array<WindowVertex<float>, 3> corner_windows(const DrawContext<S>& draw,
+                                                         const std::vector<ClippedPiece<S>>& pieces, std::uint32_t entry) {
+    if (entry & clipped_bit) return pieces[entry & ~clipped_bit].window;
+    const auto v = draw.corners(entry);
+    const auto window = [&](std::uint32_t i) { return draw.buffer.window[i - draw.buffer.first]; };
+    return {window(v[0]), window(v[1]), window(v[2])};
+}
 
 /// The work on one chunk of triangles.
 template <Shader S>
@@ -56,7 +86,7 @@ public:
     ChunkBinner(const DrawContext<S>& draw, ChunkBins& bins, std::vector<ClippedPiece<S>>& pieces)
         : draw_(draw), bins_(bins), pieces_(pieces) {}
 
-    DrawCounts run(std::size_t begin, std::size_t end) {
+    RASTER_FLATTEN DrawCounts run(std::size_t begin, std::size_t end) {
         bins_.pairs.clear();
         pieces_.clear();
         for (std::size_t i = begin; i < end; i += std::size_t(lanes<FloatN>)) bin_pack(i, end);
@@ -68,45 +98,31 @@ private:
     using I = Int<FloatN>;
 
     void bin_pack(std::size_t start, std::size_t end) {
-        constexpr int width = lanes<FloatN>;
-        const int count = int(std::min(std::size_t(width), end - start));
+        const int count = int(std::min(std::size_t(native_lanes), end - start));
+        const std::uint32_t live = (1u << count) - 1;
         counts_.submitted += count;
-        std::array<I, 3> places;
-        std::uint32_t slow = 0;
-        for (int lane = 0; lane < width; ++lane) {
-            const auto vertices = draw_.corners(start + std::size_t(std::min(lane, count - 1)));
-            bool bad = false;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const bool exists = draw_.exists(vertices[c]);
-                bad = bad || !exists;
-                places[c].v[lane] = std::int32_t(exists ? vertices[c] - draw_.buffer.first : 0);
-            }
-            slow |= std::uint32_t(bad) << lane;
+        std::array<IntN, 3> places;
+        MaskN bad(false);
+        draw_.load_corners(start, count, places);
+        for (IntN& p : places) {
+            // Unsigned comparison by way of a signed one; entries before the first wrap to large numbers.
+            const IntN bias(std::numeric_limits<std::int32_t>::min());
+            p = p - IntN(std::int32_t(draw_.buffer.first));
+            const MaskN missing = (p ^ bias) >= (IntN(std::int32_t(draw_.buffer.window.size())) ^ bias);
+            p = select(missing, IntN(0), p);
+            bad = bad | missing;
         }
-
         std::array<SubpixelVertex<FloatN>, 3> v;
-        Mask<FloatN> inside(true);
+        MaskN inside = !bad;
         for (std::size_t c = 0; c < 3; ++c) {
             WindowVertex<FloatN> window;
             gather4(&draw_.buffer.window[0].x, places[c], window.x, window.y, window.z, window.oow);
             inside = inside & (window.x == window.x);
             v[c] = snap(window);
         }
-        const std::uint32_t live = (1u << count) - 1;
-        slow = (slow | ~bitmask(inside)) & live;
-
-        const I min_x = min(min(v[0].x, v[1].x), v[2].x), max_x = max(max(v[0].x, v[1].x), v[2].x);
-        const I min_y = min(min(v[0].y, v[1].y), v[2].y), max_y = max(max(v[0].y, v[1].y), v[2].y);
-        // Up to 128 pixels the area fits 32 bits. Larger ones, and the garbage in slow lanes, wrap and are not used.
-        const Mask<FloatN> large = ((max_x - min_x) | (max_y - min_y)) >= I(1 << 15);
-        const I area = wrapping_area(v);
-        std::uint32_t positive = bitmask(area > I(0)), zero = bitmask(area == I(0));
-        for (std::uint32_t rest = bitmask(large) & live & ~slow; rest; rest &= rest - 1) {
-            const int lane = std::countr_zero(rest);
-            const std::int64_t exact = signed_area(at_lane(v, lane));
-            positive = (positive & ~(1u << lane)) | std::uint32_t(exact > 0) << lane;
-            zero = (zero & ~(1u << lane)) | std::uint32_t(exact == 0) << lane;
-        }
+        const std::uint32_t slow = ~bitmask(inside) & live;
+        const SubpixelBox<FloatN> box = bounding_box(v);
+        const auto [positive, zero] = signs_of_area(v, box, live & ~slow);
         const std::uint32_t front = draw_.state.front_face == FrontFace::counter_clockwise ? positive : ~positive;
         const std::uint32_t culled = (is_culled(draw_.state.cull, true) ? front : 0) |
                                      (is_culled(draw_.state.cull, false) ? ~front : 0);
@@ -115,11 +131,11 @@ private:
         counts_.culled += std::popcount(live & ~slow & ~zero & culled);
         counts_.drawn += std::popcount(kept);
 
-        const I last = I(subpixels - 1);
-        const I x0 = max((min_x + last) >> subpixel_bits, I(0)), y0 = max((min_y + last) >> subpixel_bits, I(0));
-        const I x1 = min(max_x >> subpixel_bits, I(draw_.width - 1));
-        const I y1 = min(max_y >> subpixel_bits, I(draw_.height - 1));
-        const std::uint32_t visible = kept & bitmask((x0 <= x1) & (y0 <= y1));
+        const IntN x0 = max(box.first_x(), IntN(0)), y0 = max(box.first_y(), IntN(0));
+        const IntN x1 = min(box.last_x(), IntN(draw_.width - 1)), y1 = min(box.last_y(), IntN(draw_.height - 1));
+        std::uint32_t visible = kept & bitmask((x0 <= x1) & (y0 <= y1));
+        const std::uint32_t dots = visible & bitmask(((x1 - x0) <= IntN(1)) & ((y1 - y0) <= IntN(1)));
+        if (dots) visible &= ~(dots & nothing_covered(v, x0, y0, x1 - x0, y1 - y0));
         for (std::uint32_t rest = visible | slow; rest; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
             const std::size_t triangle = start + std::size_t(lane);
@@ -131,12 +147,36 @@ private:
         }
     }
 
-    static I wrapping_area(const std::array<SubpixelVertex<FloatN>, 3>& v) {
-        return (v[0].x - v[1].x) * (v[2].y - v[0].y) - (v[2].x - v[0].x) * (v[0].y - v[1].y);
+    /// Lanes whose area is positive, and lanes where it is 0. Slow lanes hold garbage.
+    static std::pair<std::uint32_t, std::uint32_t> signs_of_area(const std::array<SubpixelVertex<FloatN>, 3>& v,
+                                                                 const SubpixelBox<FloatN>& box, std::uint32_t live) {
+        const IntN area = wrapping_area(v);
+        std::uint32_t positive = bitmask(area > IntN(0)), zero = bitmask(area == IntN(0));
+        const MaskN large = ((box.max_x - box.min_x) | (box.max_y - box.min_y)) >= IntN(1 << 15);
+        for (std::uint32_t rest = bitmask(large) & live; rest; rest &= rest - 1) {
+            const int k = std::countr_zero(rest);
+            const std::int64_t exact = signed_area(
+                {{{v[0].x.v[k], v[0].y.v[k]}, {v[1].x.v[k], v[1].y.v[k]}, {v[2].x.v[k], v[2].y.v[k]}}});
+            positive = (positive & ~(1u << k)) | std::uint32_t(exact > 0) << k;
+            zero = (zero & ~(1u << k)) | std::uint32_t(exact == 0) << k;
+        }
+        return {positive, zero};
     }
 
-    static std::array<SubpixelVertex<float>, 3> at_lane(const std::array<SubpixelVertex<FloatN>, 3>& v, int lane) {
-        return {{{v[0].x.v[lane], v[0].y.v[lane]}, {v[1].x.v[lane], v[1].y.v[lane]}, {v[2].x.v[lane], v[2].y.v[lane]}}};
+    /// Among triangles of at most 2 x 2 pixel centres, those that cover none: most of a fine mesh.
+    std::uint32_t nothing_covered(std::array<SubpixelVertex<FloatN>, 3> v, IntN x0, IntN y0, IntN columns, IntN rows) const {
+        for (auto& corner : v) {
+            corner.x = corner.x - (x0 << subpixel_bits);
+            corner.y = corner.y - (y0 << subpixel_bits);
+        }
+        order_corners(v);
+        std::array<Edge<FloatN>, 3> edges;
+        std::array<IntN, 3> origins;
+        for (std::size_t i = 0; i < 3; ++i) {
+            edges[i] = make_edge(v[i], v[(i + 1) % 3], draw_.state.fill_rule);
+            origins[i] = pixel_origin(edges[i]);
+        }
+        return bitmask(covered_2x2(edges, origins, IntN(0), IntN(0), columns, rows) == IntN(0));
     }
 
     /// A triangle with a corner outside, or without one: the clip stage decides.

@@ -7,28 +7,30 @@ namespace raster::tiles {
 
 /// The Sink that shades at once, straight into the target. The target's pending clear was written before.
 template <HasFragment S>
-class BlendSink {
+class BlendSink : public SlotMaker {
 public:
     static constexpr bool remembers = false;
 
     BlendSink(const DrawContext<S>& draw, const std::vector<std::vector<ClippedPiece<S>>>& pieces, TileBuffer& tile,
               Target& target)
-        : draw_(draw), pieces_(pieces), tile_(tile), target_(target) {}
+        : SlotMaker(tile), draw_(draw), pieces_(pieces), target_(target) {}
 
-    void begin(const TileTriangle& t, std::uint32_t chunk) {
-        triangle_ = &t;
-        chunk_ = chunk;
+    void begin(const Plane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
+        SlotMaker::begin(depth, front_facing, entry, chunk);
         ready_ = false;
     }
-    std::int32_t slot() { return 0; }
+    void pixel(int i, float px, float py) {
+        const IntN lane = lane_index<FloatN>();
+        blend(i, lane == IntN(0), FloatN(px) + to_float(lane), FloatN(py), native_lanes);
+    }
     void cell(int i, MaskN passed, FloatN px, FloatN py) { blend(i, passed, px, py, cell_width); }
     void row(int i, MaskN passed, FloatN px, FloatN py) { blend(i, passed, px, py, native_lanes); }
 
 private:
     /// Lanes run along rows of `width` pixels, the first at tile pixel i.
-    void blend(int i, MaskN passed, FloatN px, FloatN py, int width) {
+    RASTER_FLATTEN void blend(int i, MaskN passed, FloatN px, FloatN py, int width) {
         if (!ready_) {
-            planes_ = make_shading_planes(draw_, pieces_[chunk_], triangle_->entry, triangle_->depth, triangle_->front_facing);
+            planes_ = make_shading_planes(draw_, pieces_[current().chunk], current().entry, current().depth, current().front_facing);
             ready_ = true;
         }
         OutputArray<S, FloatN> out = shade_pixels<S, FloatN>(draw_.shader, planes_, px, py);
@@ -52,8 +54,7 @@ private:
             } else {
                 for (std::uint32_t rest = mine; rest; rest &= rest - 1) {
                     const int k = std::countr_zero(rest);
-                    to[k] = std::uint32_t(
-                        blend_rgba8(draw_.state.blend, packed.v[first_lane + k], std::int32_t(to[k])));
+                    to[k] = blend_rgba8(draw_.state.blend, std::uint32_t(packed.v[first_lane + k]), to[k]);
                 }
             }
         } else {
@@ -80,10 +81,7 @@ private:
 
     const DrawContext<S>& draw_;
     const std::vector<std::vector<ClippedPiece<S>>>& pieces_;
-    TileBuffer& tile_;
     Target& target_;
-    const TileTriangle* triangle_ = nullptr;
-    std::uint32_t chunk_ = 0;
     bool ready_ = false;
     ShadingPlanes<S> planes_;
 };

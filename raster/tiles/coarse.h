@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <raster/stages/depth.h>
 #include <raster/stages/setup.h>
@@ -16,19 +17,24 @@ struct DepthRange {
 };
 
 /// Whether value_at stays a number for every pixel of a target: products and sums cannot overflow to inf - inf.
-inline bool is_tame(const Plane<float>& p) {
-    constexpr float limit = 1e30f;
-    return abs(p.origin) < limit && abs(p.dadx) < limit && abs(p.dady) < limit;
+template <class F>
+inline Mask<F> is_tame(const Plane<F>& p) {
+    const F limit(1e30f);
+    return Mask<F>((abs(p.origin) < limit) & (abs(p.dadx) < limit) & (abs(p.dady) < limit));
 }
 
-/// The range of a depth plane over the pixels x0..x1, y0..y1. Each rounding in value_at and encode_depth keeps order,
-/// so the extremes lie at corners, to the last bit.
+/// The smallest and the largest depth of a plane over the pixels x0..x1, y0..y1, encoded. Each rounding in value_at and
+/// encode_depth keeps order, so the extremes lie at corners, to the last bit.
+template <class F>
+inline std::pair<Int<F>, Int<F>> depth_extremes(DepthFormat format, const Plane<F>& plane, F x0, F y0, F x1, F y1) {
+    const Mask<F> right = plane.dadx >= F(0), down = plane.dady >= F(0), tame = is_tame(plane);
+    const Int<F> low = encode_depth(format, value_at(plane, select(right, x0, x1), select(down, y0, y1)));
+    const Int<F> high = encode_depth(format, value_at(plane, select(right, x1, x0), select(down, y1, y0)));
+    return {select(tame, low, Int<F>(DepthRange{}.min)), select(tame, high, Int<F>(DepthRange{}.max))};
+}
 inline DepthRange depth_range(DepthFormat format, const Plane<float>& plane, int x0, int y0, int x1, int y1) {
-    if (!is_tame(plane)) return {};
-    const float fx0 = float(x0), fx1 = float(x1), fy0 = float(y0), fy1 = float(y1);
-    const float left = plane.dadx >= 0 ? fx0 : fx1, right = plane.dadx >= 0 ? fx1 : fx0;
-    const float top = plane.dady >= 0 ? fy0 : fy1, bottom = plane.dady >= 0 ? fy1 : fy0;
-    return {encode_depth(format, value_at(plane, left, top)), encode_depth(format, value_at(plane, right, bottom))};
+    const auto [low, high] = depth_extremes(format, plane, float(x0), float(y0), float(x1), float(y1));
+    return {low, high};
 }
 
 /// Whether no pixel can pass.

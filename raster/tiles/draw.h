@@ -33,35 +33,37 @@ inline std::pair<std::uint32_t, std::uint32_t> used_vertices(std::span<const std
 
 /// Feeds the triangles of all bins of one tile to a sink, in order.
 template <Shader S, class Depth, class Sink>
-inline void raster_tile(const DrawContext<S>& draw, std::span<const ChunkBins> chunks,
-                        const std::vector<std::vector<ClippedPiece<S>>>& pieces, std::size_t tile_index, TileBuffer& tile,
-                        const Depth& depth, Sink& sink) {
+RASTER_FLATTEN inline void raster_tile(const DrawContext<S>& draw, std::span<const ChunkBins> chunks,
+                                       const std::vector<std::vector<ClippedPiece<S>>>& pieces, std::size_t tile_index,
+                                       TileBuffer& tile, const Depth& depth, Sink& sink) {
     TileRaster<Depth, Sink> raster(tile, depth, sink);
     for (std::uint32_t c = 0; c < chunks.size(); ++c) {
-        const std::uint32_t* entries = chunks[c].entries.data();
-        const std::uint32_t begin = chunks[c].offsets[tile_index], end = chunks[c].offsets[tile_index + 1];
-        for (std::uint32_t e = begin; e < end; e += std::uint32_t(native_lanes)) {
-            const int count = int(std::min(end - e, std::uint32_t(native_lanes)));
+        const std::uint32_t* entry = chunks[c].entries.data() + chunks[c].offsets[tile_index];
+        const std::uint32_t* end = chunks[c].entries.data() + chunks[c].offsets[tile_index + 1];
+        for (; entry < end; entry += native_lanes) {
+            const int count = int(std::min<std::ptrdiff_t>(end - entry, native_lanes));
             std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
             std::uint32_t clipped = 0;
             for (int lane = 0; lane < count; ++lane) {
-                const std::uint32_t entry = entries[e + std::uint32_t(lane)];
-                if (entry & clipped_bit) {
+                if (entry[lane] & clipped_bit) {
                     clipped |= 1u << lane;
                 } else {
-                    const auto v = draw.corners(entry);
+                    const auto v = draw.corners(entry[lane]);
                     for (std::size_t k = 0; k < 3; ++k) places[k].v[lane] = std::int32_t(v[k] - draw.buffer.first);
                 }
             }
-            std::uint32_t wide;
-            std::array<TileTriangle, native_lanes> triangles;
-            set_up_pack(draw, places, tile.x, tile.y, wide, triangles);
+            const PackSetup pack = set_up_pack(&draw.buffer.window[0].x, places, draw.state, depth.format, tile.x, tile.y,
+                                               draw.width, draw.height);
             for (int lane = 0; lane < count; ++lane) {
-                TileTriangle& t = triangles[std::size_t(lane)];
-                const std::uint32_t entry = entries[e + std::uint32_t(lane)];
-                if ((wide | clipped) >> lane & 1)
-                    t = set_up_one(corner_windows(draw, pieces[c], entry), draw.state, tile.x, tile.y, draw.width, draw.height);
-                t.entry = entry;
+                if ((pack.dots & ~(pack.wide | clipped)) >> lane & 1) {
+                    raster.draw_dots(pack, lane, entry[lane], c);
+                    continue;
+                }
+                TileTriangle t = (pack.wide | clipped) >> lane & 1
+                                     ? set_up_one(corner_windows(draw, pieces[c], entry[lane]), draw.state, depth.format,
+                                                  tile.x, tile.y, draw.width, draw.height)
+                                     : pack.at(lane);
+                t.entry = entry[lane];
                 raster.draw(t, c);
             }
         }
@@ -85,8 +87,6 @@ inline void draw_tile(const DrawContext<S>& draw, std::span<const ChunkBins> chu
         if (draw.state.blend != Blend::off && draw.state.color_write) {
             if (target.clear_is_pending()) target.write_clear_tile(tile_x * tile_size, tile_y * tile_size, tile_size);
             load_tile(tile, target, tile_x, tile_y);
-            for (int b = 0; b < block_count; ++b)
-                if (tile.uniform >> b & 1) expand_block(tile, b, target.depth_format());
             BlendSink<S> sink(draw, pieces, tile, target);
             raster_tile(draw, chunks, pieces, tile_index, tile, depth, sink);
             store_depth(tile, target);

@@ -30,13 +30,51 @@ public:
     TileRaster(TileBuffer& tile, const Depth& depth, Sink& sink) : tile_(tile), depth_(depth), sink_(sink) {}
 
     void draw(const TileTriangle& t, std::uint32_t chunk) {
-        if (t.x0 > t.x1 || t.y0 > t.y1) return;
-        sink_.begin(t, chunk);
+        if (t.x0 > t.x1 || t.y0 > t.y1 || none_passes(depth_.compare, t.range, tile_.whole_range)) return;
+        sink_.begin(t.depth, t.front_facing, t.entry, chunk);
+        if (t.covers_tile && depth_.write && Sink::remembers) {
+            const DepthRange incoming = depth_range(depth_.format, t.depth, tile_.x, tile_.y, tile_.x + tile_size - 1,
+                                                    tile_.y + tile_size - 1);
+            if (all_pass(depth_.compare, incoming, tile_.whole_range)) {
+                tile_.whole_slot = sink_.slot();
+                tile_.whole_range = incoming;
+                tile_.whole = true;
+                return;
+            }
+        }
+        if (tile_.whole) split_tile(tile_);
         if (t.x1 - t.x0 < 2 * block_size && t.y1 - t.y0 < 2 * block_size) {
             draw_cells(t);
         } else {
             for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
                 for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) draw_block(t, bx, by);
+        }
+    }
+
+    /// A lane of a pack whose pixels are few and already known: take them one by one.
+    void draw_dots(const PackSetup& pack, int lane, std::uint32_t entry, std::uint32_t chunk) {
+        const DepthRange incoming{pack.range_min.v[lane], pack.range_max.v[lane]};
+        if (none_passes(depth_.compare, incoming, tile_.whole_range)) return;
+        if (tile_.whole) split_tile(tile_);
+        bool begun = false;
+        for (std::uint32_t rest = std::uint32_t(pack.covered.v[lane]); rest; rest &= rest - 1) {
+            const int k = std::countr_zero(rest);
+            const int x = pack.x0.v[lane] + (k & 1), y = pack.y0.v[lane] + (k >> 1);
+            const int block = y / block_size * blocks_per_row + x / block_size, i = y * tile_size + x;
+            if (tile_.uniform >> block & 1) {
+                if (none_passes(depth_.compare, incoming, tile_.range[block])) continue;
+                expand_block(tile_, block, depth_.format);
+            }
+            const std::int32_t depth = pack.dot_depth[std::size_t(k)].v[lane];
+            if (!depth_passes(depth_.compare, depth, tile_.depth[i])) continue;
+            if (!begun) {
+                const TileTriangle t = pack.at(lane);
+                sink_.begin(t.depth, t.front_facing, entry, chunk);
+                begun = true;
+            }
+            note_write(block, incoming);
+            if (depth_.write) tile_.depth[i] = depth;
+            sink_.pixel(i, float(tile_.x + x), float(tile_.y + y));
         }
     }
 
@@ -50,16 +88,13 @@ private:
     /// Small triangles: every cell of the box.
     void draw_cells(const TileTriangle& t) {
         const int left = t.x0 & ~(cell_width - 1), top = t.y0 & ~(cell_height - 1);
-        const DepthRange incoming =
-            depth_range(depth_.format, t.depth, tile_.x + left, tile_.y + top, tile_.x + (t.x1 | (cell_width - 1)),
-                        tile_.y + (t.y1 | (cell_height - 1)));
         bool hidden = true;
         for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
             for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx)
-                hidden = hidden && none_passes(depth_.compare, incoming, tile_.range[by * blocks_per_row + bx]);
+                hidden = hidden && none_passes(depth_.compare, t.range, tile_.range[by * blocks_per_row + bx]);
         if (hidden) return;
         for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
-            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) touch(by * blocks_per_row + bx, incoming);
+            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) touch(by * blocks_per_row + bx, t.range);
 
         const IntN x = IntN(left) + cell_x(), y = IntN(top) + cell_y();
         IntN row[3];
@@ -90,10 +125,17 @@ private:
         }
     }
 
-    /// Makes a block's pixels single and its range ready for some of them to change.
+    /// Keeps the ranges true when some of a block's pixels change.
+    void note_write(int block, DepthRange incoming) {
+        if (!depth_.write) return;
+        tile_.range[block] = merged(depth_.compare, incoming, tile_.range[block]);
+        tile_.whole_range = merged(depth_.compare, incoming, tile_.whole_range);
+    }
+
+    /// Makes a block's pixels single, and its range ready for some of them to change.
     void touch(int block, DepthRange incoming) {
         if (tile_.uniform >> block & 1) expand_block(tile_, block, depth_.format);
-        if (depth_.write) tile_.range[block] = merged(depth_.compare, incoming, tile_.range[block]);
+        note_write(block, incoming);
     }
 
     /// Large triangles: reject or accept each block as a whole where edges and depths allow it.
@@ -113,14 +155,15 @@ private:
         const DepthRange incoming = depth_range(depth_.format, t.depth, px, py, px + block_size - 1, py + block_size - 1);
         if (none_passes(depth_.compare, incoming, tile_.range[block])) return;
         const bool all = full && all_pass(depth_.compare, incoming, tile_.range[block]);
-        if (all && Sink::remembers && depth_.write) {
+        if (all && depth_.write) {
             tile_.range[block] = incoming;
+            tile_.whole_range = merged(depth_.compare, incoming, tile_.whole_range);
             tile_.block_slot[block] = sink_.slot();
             tile_.uniform |= std::uint64_t(1) << block;
+            if (!Sink::remembers) shade_block(x, y);
             return;
         }
         touch(block, incoming);
-        if (all && depth_.write) tile_.range[block] = incoming;
         for (int row = 0; row < block_size; ++row)
             for (int column = 0; column < block_size; column += native_lanes) {
                 const int i = (y + row) * tile_size + x + column;
@@ -134,15 +177,21 @@ private:
                     if (!any(passed)) continue;
                 }
                 const FloatN fx = to_float(IntN(px + column) + lane_index<FloatN>()), fy = FloatN(float(py + row));
-                if (!all || depth_.write) {
-                    const IntN incoming_depth = encode_depth(depth_.format, depth_at(t, fx, fy));
-                    const IntN stored = load_int<FloatN>(tile_.depth + i);
-                    if (!all) passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
-                    if (!any(passed)) continue;
-                    if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-                }
+                const IntN incoming_depth = encode_depth(depth_.format, depth_at(t, fx, fy));
+                const IntN stored = load_int<FloatN>(tile_.depth + i);
+                passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
+                if (!any(passed)) continue;
+                if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
                 sink_.row(i, passed, fx, fy);
             }
+    }
+
+    /// All pixels of a block, for a sink that shades at once.
+    void shade_block(int x, int y) {
+        for (int row = y; row < y + block_size; ++row)
+            for (int column = x; column < x + block_size; column += native_lanes)
+                sink_.row(row * tile_size + column, MaskN(true), to_float(IntN(tile_.x + column) + lane_index<FloatN>()),
+                          FloatN(float(tile_.y + row)));
     }
 
     TileBuffer& tile_;

@@ -7,27 +7,40 @@
 
 namespace raster::tiles {
 
-/// The Sink that remembers. Without need of colours only uniform blocks keep their slots.
-template <bool colors>
-class RememberSink {
+/// Gives the current triangle a slot when it is first visible.
+class SlotMaker {
 public:
-    static constexpr bool remembers = true;
+    explicit SlotMaker(TileBuffer& tile) : tile_(tile) {}
 
-    explicit RememberSink(TileBuffer& tile) : tile_(tile) {}
-
-    void begin(const TileTriangle& t, std::uint32_t chunk) {
-        triangle_ = &t;
-        chunk_ = chunk;
+    void begin(const Plane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
+        current_ = {depth, chunk, entry, front_facing};
         slot_ = 0;
     }
-    /// The current triangle's slot; made when it is first visible.
     std::int32_t slot() {
         if (slot_ == 0) {
             slot_ = std::int32_t(tile_.slots.size());
-            tile_.slots.push_back({triangle_->depth, chunk_, triangle_->entry, triangle_->front_facing});
+            tile_.slots.push_back(current_);
         }
         return slot_;
     }
+    const Slot& current() const { return current_; }
+
+protected:
+    TileBuffer& tile_;
+
+private:
+    Slot current_{};
+    std::int32_t slot_ = 0;
+};
+
+/// The Sink that remembers. Without need of colours only uniform blocks keep their slots.
+template <bool colors>
+class RememberSink : public SlotMaker {
+public:
+    static constexpr bool remembers = true;
+
+    using SlotMaker::SlotMaker;
+
     void cell(int i, MaskN passed, FloatN, FloatN) {
         if constexpr (colors)
             store_cell(tile_.slot + i, select(passed, IntN(slot()), load_cell<native_lanes>(tile_.slot + i)));
@@ -36,12 +49,9 @@ public:
         if constexpr (colors)
             store_int(tile_.slot + i, select(passed, IntN(slot()), load_int<FloatN>(tile_.slot + i)));
     }
-
-private:
-    TileBuffer& tile_;
-    const TileTriangle* triangle_ = nullptr;
-    std::uint32_t chunk_ = 0;
-    std::int32_t slot_ = 0;
+    void pixel(int i, float, float) {
+        if constexpr (colors) tile_.slot[i] = slot();
+    }
 };
 
 /// Where lanes<FloatN> pixels of a target's row go: the first `count` exist.
@@ -57,7 +67,7 @@ inline void store_masked(T* to, const T* lanes_from, std::uint32_t passed) {
 }
 inline void store_lanes(std::uint32_t* to, IntN v, MaskN passed, int count) {
     if (count == native_lanes) {
-        store_int(to, select(passed, v, load_int<FloatN>(to)));
+        store_int(to, all(passed) ? v : select(passed, v, load_int<FloatN>(to)));
     } else {
         std::uint32_t each[native_lanes];
         store_int(each, v);
@@ -97,44 +107,85 @@ public:
         : draw_(draw), pieces_(pieces), tile_(tile), target_(target) {}
 
     void run() {
+        if (tile_.whole && tile_.whole_slot == 0) {
+            if (tile_.cleared) target_.write_clear_tile(tile_.x, tile_.y, tile_size);
+            return;
+        }
+        if (tile_.whole) split_tile(tile_);
         planes_.resize(tile_.slots.size());
         ready_.assign(tile_.slots.size(), 0);
-        const int columns = std::min(tile_size, draw_.width - tile_.x), rows = std::min(tile_size, draw_.height - tile_.y);
+        columns_ = std::min(tile_size, draw_.width - tile_.x);
+        rows_ = std::min(tile_size, draw_.height - tile_.y);
         for (int block = 0; block < block_count; ++block) {
             const int x = block % blocks_per_row * block_size, y = block / blocks_per_row * block_size;
-            for (int row = y; row < std::min(y + block_size, rows); ++row)
-                for (int column = x; column < std::min(x + block_size, columns); column += native_lanes)
-                    resolve_row(block, column, row,
-                                {target_.index(tile_.x + column, tile_.y + row), std::min(native_lanes, columns - column)});
+            if (x >= columns_ || y >= rows_) continue;
+            if (!(tile_.uniform >> block & 1)) {
+                resolve_mixed(x, y);
+            } else if (tile_.block_slot[block] != 0) {
+                resolve_uniform(x, y, tile_.block_slot[block]);
+            } else if (tile_.cleared) {
+                clear_block(x, y);
+            }
         }
     }
 
 private:
-    void resolve_row(int block, int column, int row, RowPlace place) {
-        const bool uniform = tile_.uniform >> block & 1;
-        const int i = row * tile_size + column;
-        const IntN slots = uniform ? IntN(tile_.block_slot[block]) : load_int<FloatN>(tile_.slot + i);
-        const DepthFormat format = target_.depth_format();
-        if (tile_.cleared) target_.write_clear(place.index, place.count);
-        if (!uniform) {
-            if (draw_.state.depth_write || tile_.cleared)
-                store_lanes(target_.raw_depth_bits() + place.index, load_int<FloatN>(tile_.depth + i), MaskN(true), place.count);
-        } else if (tile_.block_slot[block] != 0) {
-            const Plane<float>& depth = tile_.slots[std::size_t(tile_.block_slot[block])].depth;
-            store_lanes(target_.raw_depth_bits() + place.index, depth_row(format, depth, tile_.x + column, tile_.y + row),
-                        MaskN(true), place.count);
-        }
+    RowPlace place(int x, int y) const {
+        return {target_.index(tile_.x + x, tile_.y + y), std::min(native_lanes, columns_ - x)};
+    }
+    void clear_block(int x, int y) {
+        for (int row = y; row < std::min(y + block_size, rows_); ++row)
+            target_.write_clear(target_.index(tile_.x + x, tile_.y + row), std::min(block_size, columns_ - x));
+    }
+    /// Extra planes that the shader does not fill keep the clear's value.
+    bool fills_all_planes() const {
         if constexpr (HasFragment<S>) {
-            if (!draw_.state.color_write) return;
-            const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
-            std::uint32_t rest = bitmask(slots != IntN(0)) & ((1u << place.count) - 1);
-            while (rest) {
-                const std::int32_t slot = slots.v[std::countr_zero(rest)];
-                const MaskN mine = slots == IntN(slot);
-                rest &= ~bitmask(mine);
-                write_outputs<S>(target_, place, mine, shade_pixels<S, FloatN>(draw_.shader, planes(slot), px, py));
-            }
+            return draw_.state.color_write && output_count<S> - 4 >= target_.extra_channels();
+        } else {
+            return false;
         }
+    }
+
+    /// A block of one triangle.
+    RASTER_FLATTEN void resolve_uniform(int x, int y, std::int32_t slot) {
+        const DepthFormat format = target_.depth_format();
+        if (tile_.cleared && !fills_all_planes()) clear_block(x, y);
+        const ShadingPlanes<S>& p = planes(slot);
+        for (int row = y; row < std::min(y + block_size, rows_); ++row)
+            for (int column = x; column < std::min(x + block_size, columns_); column += native_lanes) {
+                const RowPlace to = place(column, row);
+                store_lanes(target_.raw_depth_bits() + to.index, depth_row(format, p.depth, tile_.x + column, tile_.y + row),
+                            MaskN(true), to.count);
+                if constexpr (HasFragment<S>) {
+                    if (!draw_.state.color_write) continue;
+                    const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
+                    write_outputs<S>(target_, to, MaskN(true), shade_pixels<S, FloatN>(draw_.shader, p, px, py));
+                }
+            }
+    }
+
+    /// A block of several triangles, or of some and what was there before.
+    RASTER_FLATTEN void resolve_mixed(int x, int y) {
+        if (tile_.cleared) clear_block(x, y);
+        for (int row = y; row < std::min(y + block_size, rows_); ++row)
+            for (int column = x; column < std::min(x + block_size, columns_); column += native_lanes) {
+                const int i = row * tile_size + column;
+                const RowPlace to = place(column, row);
+                if (draw_.state.depth_write || tile_.cleared)
+                    store_lanes(target_.raw_depth_bits() + to.index, load_int<FloatN>(tile_.depth + i), MaskN(true), to.count);
+                if constexpr (HasFragment<S>) {
+                    if (!draw_.state.color_write) continue;
+                    const IntN slots = load_int<FloatN>(tile_.slot + i);
+                    const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
+                    std::uint32_t rest = bitmask(slots != IntN(0)) & ((1u << to.count) - 1);
+                    while (rest) {
+                        const std::int32_t slot = tile_.slot[i + std::countr_zero(rest)];
+                        const MaskN mine = slots == IntN(slot);
+                        rest &= ~bitmask(mine);
+                        write_outputs<S>(target_, to, mine, shade_pixels<S, FloatN>(draw_.shader, planes(slot), px, py));
+                    }
+                }
+            }
     }
 
     const ShadingPlanes<S>& planes(std::int32_t slot) {
@@ -153,6 +204,7 @@ private:
     Target& target_;
     std::vector<ShadingPlanes<S>> planes_;
     std::vector<char> ready_;
+    int columns_ = 0, rows_ = 0;
 };
 
 }  // namespace raster::tiles

@@ -18,24 +18,16 @@ struct TileEdge {
 struct TileTriangle {
     std::array<TileEdge, 3> edges;
     Plane<float> depth;
+    DepthRange range;    ///< of the depths in its box, cells that it touches included
     int x0, y0, x1, y1;  ///< its pixels in the tile, ends included; none when x0 > x1
     std::uint32_t entry;
     bool front_facing;
+    bool covers_tile;    ///< no edge crosses the tile
 };
 
-/// Positions of the three corners of a bin's entry.
-template <Shader S>
-inline std::array<WindowVertex<float>, 3> corner_windows(const DrawContext<S>& draw,
-                                                         const std::vector<ClippedPiece<S>>& pieces, std::uint32_t entry) {
-    if (entry & clipped_bit) return pieces[entry & ~clipped_bit].window;
-    const auto v = draw.corners(entry);
-    const auto window = [&](std::uint32_t i) { return draw.buffer.window[i - draw.buffer.first]; };
-    return {window(v[0]), window(v[1]), window(v[2])};
-}
-
 /// Any triangle, one at a time, from exact 64-bit edges.
-inline TileTriangle set_up_one(const std::array<WindowVertex<float>, 3>& window, const State& state, int tile_x,
-                               int tile_y, int width, int height) {
+inline TileTriangle set_up_one(const std::array<WindowVertex<float>, 3>& window, const State& state, DepthFormat format,
+                               int tile_x, int tile_y, int width, int height) {
     std::array<SubpixelVertex<float>, 3> subpixel;
     for (std::size_t c = 0; c < 3; ++c) subpixel[c] = snap(window[c]);
     const std::int64_t area = signed_area(subpixel);
@@ -43,6 +35,7 @@ inline TileTriangle set_up_one(const std::array<WindowVertex<float>, 3>& window,
     TileTriangle t;
     t.depth = setup.depth;
     t.front_facing = is_front_facing(state.front_face, area);
+    t.covers_tile = true;
     t.x0 = std::max(setup.box.min_x - tile_x, 0), t.x1 = std::min(setup.box.max_x - tile_x, tile_size - 1);
     t.y0 = std::max(setup.box.min_y - tile_y, 0), t.y1 = std::min(setup.box.max_y - tile_y, tile_size - 1);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -55,59 +48,83 @@ inline TileTriangle set_up_one(const std::array<WindowVertex<float>, 3>& window,
         if (high < 0) t.x1 = t.x0 - 1;
         // An edge that crosses the tile has values of both signs in it, so none is larger than the tile's extent of
         // steps: 2 * 63 * 2^23 < 2^31. One that does not cross needs no steps.
-        t.edges[i] = low >= 0 || high < 0 ? TileEdge{0, 0, 0} : TileEdge{std::int32_t(origin), e.step_x, e.step_y};
+        const bool crosses = low < 0 && high >= 0;
+        t.edges[i] = crosses ? TileEdge{std::int32_t(origin), e.step_x, e.step_y} : TileEdge{0, 0, 0};
+        t.covers_tile = t.covers_tile && low >= 0;
     }
+    t.range = depth_range(format, t.depth, tile_x + (t.x0 & ~(cell_width - 1)), tile_y + (t.y0 & ~(cell_height - 1)),
+                          tile_x + (t.x1 | (cell_width - 1)), tile_y + (t.y1 | (cell_height - 1)));
     return t;
 }
 
-/// Sets up lanes<FloatN> entries at once; `wide` lanes, which exceed the tile's size, are left to set_up_one. The same
-/// stage functions as there, with positions measured from the tile so that 32 bits suffice.
-template <Shader S>
-inline void set_up_pack(const DrawContext<S>& draw, const std::array<IntN, 3>& places, int tile_x, int tile_y,
-                        std::uint32_t& wide, std::array<TileTriangle, native_lanes>& out) {
+/// lanes<FloatN> triangles, each no larger than a tile, set up at once: the stage functions of set_up_one over lanes, with
+/// positions measured from the tile so that 32 bits suffice.
+struct PackSetup {
+    std::uint32_t wide;  ///< lanes that exceed the tile's size: left to set_up_one
+    std::uint32_t dots;  ///< lanes that touch at most 2 x 2 pixel centres; `covered` and `dot_depth` are theirs
+    std::uint32_t front_facing;
+    IntN x0, y0, x1, y1;
+    std::array<Edge<FloatN>, 3> edges;
+    std::array<IntN, 3> origins;  ///< pixel_origin of the edges
+    Plane<FloatN> depth;
+    IntN range_min, range_max;
+    IntN covered;                   ///< bit 0: pixel (x0, y0), bit 1: one to the right, bits 2 and 3: the row below
+    std::array<IntN, 4> dot_depth;  ///< encoded, of those pixels
+
+    TileTriangle at(int lane) const {
+        TileTriangle t;
+        for (std::size_t i = 0; i < 3; ++i)
+            t.edges[i] = {origins[i].v[lane], edges[i].step_x.v[lane], edges[i].step_y.v[lane]};
+        t.depth = {depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]};
+        t.range = {range_min.v[lane], range_max.v[lane]};
+        t.x0 = x0.v[lane], t.y0 = y0.v[lane], t.x1 = x1.v[lane], t.y1 = y1.v[lane];
+        t.front_facing = front_facing >> lane & 1;
+        t.covers_tile = false;
+        return t;
+    }
+};
+
+inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& places, const State& state, DepthFormat format,
+                             int tile_x, int tile_y, int width, int height) {
+    PackSetup r;
     std::array<WindowVertex<FloatN>, 3> v;
     std::array<SubpixelVertex<FloatN>, 3> s;
     for (std::size_t c = 0; c < 3; ++c) {
-        gather4(&draw.buffer.window[0].x, places[c], v[c].x, v[c].y, v[c].z, v[c].oow);
+        gather4(windows, places[c], v[c].x, v[c].y, v[c].z, v[c].oow);
         s[c] = snap(v[c]);
         s[c].x = s[c].x - IntN(tile_x * subpixels);
         s[c].y = s[c].y - IntN(tile_y * subpixels);
     }
-    const IntN min_x = min(min(s[0].x, s[1].x), s[2].x), max_x = max(max(s[0].x, s[1].x), s[2].x);
-    const IntN min_y = min(min(s[0].y, s[1].y), s[2].y), max_y = max(max(s[0].y, s[1].y), s[2].y);
+    const SubpixelBox<FloatN> box = bounding_box(s);
     // Up to the tile's size, steps are below 2^14 and positions below 2^15, so products sum up below 2^31.
-    wide = bitmask(((max_x - min_x) | (max_y - min_y)) >= IntN(tile_size * subpixels));
-
-    const IntN area = (s[0].x - s[1].x) * (s[2].y - s[0].y) - (s[2].x - s[0].x) * (s[0].y - s[1].y);
-    const MaskN clockwise = area < IntN(0);
-    const auto exchange = [&](auto& a, auto& b) {
-        const auto t = select(clockwise, b, a);
-        b = select(clockwise, a, b);
-        a = t;
-    };
-    exchange(v[0].x, v[1].x), exchange(v[0].y, v[1].y), exchange(v[0].z, v[1].z);
-    exchange(s[0].x, s[1].x), exchange(s[0].y, s[1].y);
-
-    alignas(32) std::int32_t edges[3][3][native_lanes];
+    r.wide = bitmask(((box.max_x - box.min_x) | (box.max_y - box.min_y)) >= IntN(tile_size * subpixels));
+    const MaskN clockwise = order_corners(v, s);
+    r.front_facing = state.front_face == FrontFace::clockwise ? bitmask(clockwise) : ~bitmask(clockwise);
     for (std::size_t i = 0; i < 3; ++i) {
-        const Edge<FloatN> e = make_edge(s[i], s[(i + 1) % 3], draw.state.fill_rule);
-        store_int(edges[i][0], pixel_origin(e));
-        store_int(edges[i][1], e.step_x);
-        store_int(edges[i][2], e.step_y);
+        r.edges[i] = make_edge(s[i], s[(i + 1) % 3], state.fill_rule);
+        r.origins[i] = pixel_origin(r.edges[i]);
     }
-    const Plane<FloatN> depth = make_plane(make_plane_basis(v[0], v[1], v[2]), v[0].z, v[1].z, v[2].z);
-    const IntN last(subpixels - 1), zero(0);
-    const IntN x0 = max((min_x + last) >> subpixel_bits, zero), y0 = max((min_y + last) >> subpixel_bits, zero);
-    const IntN x1 = min(max_x >> subpixel_bits, IntN(std::min(tile_size, draw.width - tile_x) - 1));
-    const IntN y1 = min(max_y >> subpixel_bits, IntN(std::min(tile_size, draw.height - tile_y) - 1));
-    const bool front_is_clockwise = draw.state.front_face == FrontFace::clockwise;
-    for (int lane = 0; lane < native_lanes; ++lane) {
-        TileTriangle& t = out[std::size_t(lane)];
-        for (std::size_t i = 0; i < 3; ++i) t.edges[i] = {edges[i][0][lane], edges[i][1][lane], edges[i][2][lane]};
-        t.depth = {depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]};
-        t.x0 = x0.v[lane], t.y0 = y0.v[lane], t.x1 = x1.v[lane], t.y1 = y1.v[lane];
-        t.front_facing = raster::lane(clockwise, lane) == front_is_clockwise;
+    r.depth = make_plane(make_plane_basis(v[0], v[1], v[2]), v[0].z, v[1].z, v[2].z);
+    r.x0 = max(box.first_x(), IntN(0)), r.y0 = max(box.first_y(), IntN(0));
+    r.x1 = min(box.last_x(), IntN(std::min(tile_size, width - tile_x) - 1));
+    r.y1 = min(box.last_y(), IntN(std::min(tile_size, height - tile_y) - 1));
+    const auto absolute = [](int tile, IntN i) { return to_float(IntN(tile) + i); };
+    const auto [low, high] =
+        depth_extremes(format, r.depth, absolute(tile_x, r.x0 & IntN(~(cell_width - 1))),
+                       absolute(tile_y, r.y0 & IntN(~(cell_height - 1))), absolute(tile_x, r.x1 | IntN(cell_width - 1)),
+                       absolute(tile_y, r.y1 | IntN(cell_height - 1)));
+    r.range_min = low, r.range_max = high;
+
+    const IntN columns = r.x1 - r.x0, rows = r.y1 - r.y0;
+    r.dots = bitmask((columns <= IntN(1)) & (rows <= IntN(1)));
+    if (r.dots) {
+        r.covered = covered_2x2(r.edges, r.origins, r.x0, r.y0, columns, rows);
+        const FloatN px = absolute(tile_x, r.x0), py = absolute(tile_y, r.y0);
+        for (int k = 0; k < 4; ++k)
+            r.dot_depth[std::size_t(k)] =
+                encode_depth(format, value_at(r.depth, px + FloatN(float(k & 1)), py + FloatN(float(k >> 1))));
     }
+    return r;
 }
 
 }  // namespace raster::tiles

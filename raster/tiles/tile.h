@@ -1,6 +1,7 @@
 // tile.h: 64 x 64 pixels while they are worked on: depths, who is visible where, and what is known of each 8 x 8 block.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -38,6 +39,9 @@ struct TileBuffer {
     DepthRange range[block_count];
     std::int32_t block_slot[block_count];
     std::uint64_t uniform;    ///< one bit a block
+    bool whole;               ///< the whole tile belongs to whole_slot: what is said of single blocks does not hold
+    std::int32_t whole_slot;
+    DepthRange whole_range;   ///< of the whole tile, always
     int x, y;                 ///< of the tile's first pixel
     bool cleared;             ///< slot 0 is the target's pending clear, not its memory
     std::int32_t clear_depth;
@@ -87,6 +91,13 @@ inline void expand_block(TileBuffer& tile, int block, DepthFormat format) {
     tile.uniform &= ~(std::uint64_t(1) << block);
 }
 
+/// Says of each block what was known of the whole tile, so that single blocks can be changed.
+inline void split_tile(TileBuffer& tile) {
+    tile.uniform = ~std::uint64_t(0);
+    for (int b = 0; b < block_count; ++b) tile.block_slot[b] = tile.whole_slot, tile.range[b] = tile.whole_range;
+    tile.whole = false;
+}
+
 /// Reads a tile from the target, or notes that the target's pending clear stands for it.
 inline void load_tile(TileBuffer& tile, const Target& target, int tile_x, int tile_y) {
     tile.x = tile_x * tile_size;
@@ -94,10 +105,11 @@ inline void load_tile(TileBuffer& tile, const Target& target, int tile_x, int ti
     tile.slots.assign(1, Slot{});
     tile.cleared = target.clear_is_pending();
     tile.uniform = 0;
+    tile.whole = tile.cleared;
     if (tile.cleared) {
         tile.clear_depth = std::int32_t(target.pending_depth());
-        tile.uniform = ~std::uint64_t(0);
-        for (int b = 0; b < block_count; ++b) tile.block_slot[b] = 0, tile.range[b] = {tile.clear_depth, tile.clear_depth};
+        tile.whole_slot = 0;
+        tile.whole_range = {tile.clear_depth, tile.clear_depth};
         return;
     }
     const int columns = std::min(tile_size, target.width() - tile.x), rows = std::min(tile_size, target.height() - tile.y);
@@ -117,11 +129,17 @@ inline void load_tile(TileBuffer& tile, const Target& target, int tile_x, int ti
         tile.range[block] = {low.v[0], high.v[0]};
         for (int lane = 1; lane < native_lanes; ++lane)
             tile.range[block] = {std::min(tile.range[block].min, low.v[lane]), std::max(tile.range[block].max, high.v[lane])};
+        if (block == 0) tile.whole_range = tile.range[0];
+        tile.whole_range = {std::min(tile.whole_range.min, tile.range[block].min),
+                            std::max(tile.whole_range.max, tile.range[block].max)};
     }
 }
 
 /// Writes a tile's depths back.
-inline void store_depth(const TileBuffer& tile, Target& target) {
+inline void store_depth(TileBuffer& tile, Target& target) {
+    if (tile.whole) split_tile(tile);
+    for (std::uint64_t rest = tile.uniform; rest; rest &= rest - 1)
+        expand_block(tile, std::countr_zero(rest), target.depth_format());
     const int columns = std::min(tile_size, target.width() - tile.x), rows = std::min(tile_size, target.height() - tile.y);
     for (int row = 0; row < rows; ++row)
         std::memcpy(target.raw_depth() + target.index(tile.x, tile.y + row), tile.depth + row * tile_size,

@@ -42,7 +42,7 @@ inline typename S::template Vertex<F> load_vertices(std::span<const typename S::
 
 /// Shades and projects one pack of vertices into the buffer.
 template <Shader S, class F>
-inline void shade_pack(const S& shader, std::span<const typename S::template Vertex<float>> vertices,
+RASTER_FLATTEN inline void shade_pack(const S& shader, std::span<const typename S::template Vertex<float>> vertices,
                        const ViewportTransform& viewport, VertexBuffer<S>& out, std::size_t start) {
     const auto shaded = shade_vertex<S, F>(shader, load_vertices<S, F>(vertices, start));
     const Int<F> code = select(is_finite(shaded.clip), outcode(shaded.clip), Int<F>(not_finite_bit));

@@ -1,0 +1,174 @@
+// ours.cpp: four small shaders, and a frame.
+#include "ours.h"
+
+#include <raster/scene/transform.h>
+
+namespace bench {
+
+namespace {
+
+using namespace raster;
+
+/// Blinn-Phong with a local viewer, one directional light.
+template <class F>
+vec<3, F> blinn_phong(const vec<3, F>& normal, const vec<3, F>& eye_position, const glm::vec3& to_light) {
+    const vec<3, F> n = glm::normalize(normal), v = glm::normalize(-eye_position), l(to_light);
+    const vec<3, F> h = glm::normalize(l + v);
+    const F n_l = dot0(n, l);
+    const F highlight = select(n_l > F(0), raster::pow(dot0(n, h), F(exponent)), F(0));
+    return vec<3, F>(base_color) * (F(ambient) + F(diffuse) * n_l) + vec<3, F>(F(specular) * highlight);
+}
+
+template <class F>
+struct EyeVaryings {
+    vec<3, F> normal, position;
+};
+
+struct PerPixel {
+    template <class F>
+    using Vertex = bench::Vertex<F>;
+    template <class F>
+    using Varyings = EyeVaryings<F>;
+    glm::mat4 clip_from_world, eye_from_world;
+    glm::mat3 normals;
+    glm::vec3 to_light;
+
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {transform_point(clip_from_world, v.position),
+                {transform_direction(normals, v.normal), vec<3, F>(transform_point(eye_from_world, v.position))}};
+    }
+    template <class F>
+    vec<4, F> fragment(const Varyings<F>& in) const {
+        return {blinn_phong(in.normal, in.position, to_light), F(1)};
+    }
+};
+
+template <class F>
+struct ColorVaryings {
+    vec<3, F> color;
+};
+
+struct Gouraud {
+    template <class F>
+    using Vertex = bench::Vertex<F>;
+    template <class F>
+    using Varyings = ColorVaryings<F>;
+    glm::mat4 clip_from_world, eye_from_world;
+    glm::mat3 normals;
+    glm::vec3 to_light;
+
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        const vec<3, F> eye(transform_point(eye_from_world, v.position));
+        return {transform_point(clip_from_world, v.position),
+                {blinn_phong(transform_direction(normals, v.normal), eye, to_light)}};
+    }
+    template <class F>
+    vec<4, F> fragment(const Varyings<F>& in) const {
+        return {in.color, F(1)};
+    }
+};
+
+template <class F>
+struct TexturedVaryings {
+    vec<3, F> normal;
+    vec<2, F> uv;
+};
+
+struct Textured {
+    template <class F>
+    using Vertex = bench::Vertex<F>;
+    template <class F>
+    using Varyings = TexturedVaryings<F>;
+    glm::mat4 clip_from_world;
+    glm::mat3 normals;
+    glm::vec3 to_light;
+    TextureView texture;
+
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {transform_point(clip_from_world, v.position), {transform_direction(normals, v.normal), v.uv}};
+    }
+    template <class F>
+    vec<4, F> fragment(const Varyings<F>& in) const {
+        const F n_l = dot0(glm::normalize(in.normal), vec<3, F>(to_light));
+        const vec<4, F> texel = sample(texture, in.uv);
+        return {vec<3, F>(texel) * (F(ambient) + F(diffuse) * n_l), F(1)};
+    }
+};
+
+template <class F>
+struct NoVaryings {};
+
+struct FlatColor {
+    template <class F>
+    using Vertex = bench::Vertex<F>;
+    template <class F>
+    using Varyings = NoVaryings<F>;
+    glm::mat4 clip_from_world;
+    glm::vec4 color;
+
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {transform_point(clip_from_world, v.position), {}};
+    }
+    template <class F>
+    vec<4, F> fragment(const Varyings<F>&) const {
+        return vec<4, F>(color);
+    }
+};
+
+struct DepthOnly {
+    template <class F>
+    using Vertex = bench::Vertex<F>;
+    template <class F>
+    using Varyings = NoVaryings<F>;
+    glm::mat4 clip_from_world;
+
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {transform_point(clip_from_world, v.position), {}};
+    }
+};
+
+}  // namespace
+
+Ours::Ours(const Scene& scene, int width, int height)
+    : scene_(scene),
+      target_(width, height),
+      clip_from_eye_(projection(width, height)),
+      clip_from_world_(raster::product(clip_from_eye_, scene.eye_from_world)),
+      normals_(scene.eye_from_world) {
+    if (scene.shading == Shading::textured) {
+        texture_.width = texture_.height = texture_size;
+        for (const std::uint32_t t : make_texture()) texture_.texels.push_back(std::int32_t(t));
+    }
+}
+
+void Ours::frame() {
+    target_.clear(clear_color);
+    State state;
+    state.cull = scene_.cull_back ? Cull::back : Cull::none;
+    state.blend = scene_.blend ? Blend::source_over : Blend::off;
+    const Mesh mesh(scene_.vertices, scene_.indices);
+    const glm::vec3 light = to_light_eye();
+    const glm::mat4& eye = scene_.eye_from_world;
+    switch (scene_.shading) {
+        case Shading::none: raster::draw(target_, DepthOnly{clip_from_world_}, mesh, state); break;
+        case Shading::flat_color:
+            raster::draw(target_, FlatColor{clip_from_world_, glm::vec4(base_color, scene_.blend ? 0.5f : 1.0f)}, mesh, state);
+            break;
+        case Shading::gouraud: raster::draw(target_, Gouraud{clip_from_world_, eye, normals_, light}, mesh, state); break;
+        case Shading::per_pixel: raster::draw(target_, PerPixel{clip_from_world_, eye, normals_, light}, mesh, state); break;
+        case Shading::textured:
+            raster::draw(target_,
+                         Textured{clip_from_world_, normals_, light, TextureView(texture_, Wrap::repeat, Filter::bilinear)},
+                         mesh, state);
+            break;
+    }
+    // A clear alone is finished by whoever looks.
+    target_.color8();
+}
+
+}  // namespace bench

@@ -1,0 +1,52 @@
+// scenes.h: what the benchmark draws: meshes, matrices and state, the same for this library and for its rival.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <raster/lanes.h>
+#include <raster/result.h>
+
+namespace bench {
+
+/// A vertex of every scene, in the scene's world space.
+template <class F>
+struct Vertex {
+    raster::vec<3, F> position, normal;
+    raster::vec<2, F> uv;
+};
+
+/// How a scene is shaded. Blinn-Phong and Lambert have one directional light and a local viewer.
+enum class Shading { none, flat_color, gouraud, per_pixel, textured };
+
+struct Scene {
+    std::string name;
+    std::string what;
+    std::vector<Vertex<float>> vertices;
+    std::vector<std::uint32_t> indices;
+    glm::mat4 eye_from_world{1.0f};
+    Shading shading = Shading::per_pixel;
+    bool cull_back = true;
+    bool blend = false;
+};
+
+inline const glm::vec4 clear_color(0.1f, 0.1f, 0.15f, 1.0f);
+inline const glm::vec3 base_color(0.8f, 0.6f, 0.4f);
+inline constexpr float ambient = 0.2f, diffuse = 0.8f, specular = 0.5f, exponent = 32.0f;
+glm::vec3 to_light_eye();
+glm::mat4 projection(int width, int height);
+
+/// The names of all scenes, in the order of the table.
+std::vector<std::string> scene_names();
+
+/// Builds a scene; `bunny` is the path of an OBJ file that the scenes s2, s3, s5 and s7d show.
+raster::Result<Scene> make_scene(const std::string& name, const std::string& bunny);
+
+/// The texture of textured scenes: 1024 x 1024 RGBA.
+std::vector<std::uint32_t> make_texture();
+inline constexpr int texture_size = 1024;
+
+}  // namespace bench
