@@ -96,7 +96,7 @@ struct Vector {
 
 template <class V, class T>
 inline V splat(T value) {
-    V v;
+    V v{};
     for (std::size_t i = 0; i < sizeof(V) / sizeof(T); ++i) v[int(i)] = value;
     return v;
 }

@@ -4,41 +4,36 @@
 // in order. A bin holds numbers only: setting a triangle up again in each tile costs less than storing its setup.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include <raster/stages/assemble.h>
 #include <raster/stages/clip.h>
-#include <raster/stages/cull.h>
+#include <raster/stages/project.h>
 #include <raster/stages/setup.h>
 #include <raster/state.h>
-#include <raster/tiles/lane_triangles.h>
-#include <raster/tiles/vertices.h>
+#include <raster/tiles/scratch.h>
 
 namespace raster::tiles {
 
 inline constexpr int tile_bits = 6;
 inline constexpr int tile_size = 1 << tile_bits;
 
-/// One triangle of a clipped triangle's fan, ready for setup.
-template <Shader S>
-struct ClippedPiece {
-    std::array<WindowVertex<float>, 3> window;
-    std::array<VaryingArray<S>, 3> varyings;
-    std::uint32_t triangle;
-};
-
 /// Set in a bin's entry when the rest is the number of a ClippedPiece of its chunk.
 inline constexpr std::uint32_t clipped_bit = 1u << 31;
 
-/// One draw call's unchanging parts, for all threads.
-template <Shader S>
+/// One draw call as binning and rastering see it: positions, indices and state, and no shader. Vertices are those
+/// numbered first_vertex to first_vertex + window.size() - 1.
 struct DrawContext {
-    const S& shader;
-    std::span<const typename S::template Vertex<float>> vertices;
     std::span<const std::uint32_t> indices;
     const State& state;
     ViewportTransform viewport;
-    int width, height;        ///< of the target
+    int width, height;  ///< of the target
     int tiles_x, tiles_y;
-    VertexBuffer<S> buffer;
+    std::uint32_t first_vertex;
+    std::span<const WindowVertex<float>> window;
+    std::span<const std::uint8_t> outcodes;
 
     /// The three vertices of a triangle, by number; beyond the vertex array for a bad index.
     std::array<std::uint32_t, 3> corners(std::size_t triangle) const {
@@ -65,204 +60,41 @@ struct DrawContext {
             for (std::size_t c = 0; c < 3; ++c) out[c].v[lane] = std::int32_t(v[c]);
         }
     }
-    /// Whether the vertex was shaded; numbers below `first` wrap to large ones.
-    bool exists(std::uint32_t vertex) const { return vertex - buffer.first < buffer.window.size(); }
+    /// Whether the vertex was shaded; numbers below the first wrap to large ones.
+    bool exists(std::uint32_t vertex) const { return vertex - first_vertex < window.size(); }
+
+    /// Positions of the three corners of a bin's entry.
+    std::array<WindowVertex<float>, 3> corner_windows(const ChunkBins& bins, std::uint32_t entry) const {
+        if (entry & clipped_bit) return bins.pieces[entry & ~clipped_bit].window;
+        const auto v = corners(entry);
+        return {window[v[0] - first_vertex], window[v[1] - first_vertex], window[v[2] - first_vertex]};
+    }
 };
 
-/// Positions of the three corners of a bin's entry.
-template <Shader S>
-inline std::array<WindowVertex<float>, 3> corner_windows(const DrawContext<S>& draw,
-                                                         const std::vector<ClippedPiece<S>>& pieces, std::uint32_t entry) {
-    if (entry & clipped_bit) return pieces[entry & ~clipped_bit].window;
-    const auto v = draw.corners(entry);
-    const auto window = [&](std::uint32_t i) { return draw.buffer.window[i - draw.buffer.first]; };
-    return {window(v[0]), window(v[1]), window(v[2])};
-}
+/// A triangle that some pixel of the tile shows or has shown.
+struct Slot {
+    Plane<float> depth;
+    std::uint32_t chunk, entry;  ///< which bin entry it is
+    bool front_facing;
+};
 
-/// The work on one chunk of triangles.
-template <Shader S>
-class ChunkBinner {
+/// The clip stage as binning sees it. It needs the shader again, since clip positions were not kept.
+class Clipper {
 public:
-    ChunkBinner(const DrawContext<S>& draw, ChunkBins& bins, std::vector<ClippedPiece<S>>& pieces)
-        : draw_(draw), bins_(bins), pieces_(pieces) {}
+    struct Fan {
+        int count = 0;
+        std::array<std::array<WindowVertex<float>, 3>, 1 + clip_plane_count> pieces;
+    };
+    /// The triangles that remain of one, of whose corners `outside` is the union of outcodes.
+    virtual Fan clip(std::size_t triangle, std::int32_t outside) = 0;
+    /// Notes the varyings of a piece of the last fan: it becomes the next of its chunk's pieces.
+    virtual void keep(int piece) = 0;
 
-    RASTER_FLATTEN DrawCounts run(std::size_t begin, std::size_t end) {
-        bins_.pairs.clear();
-        pieces_.clear();
-        for (std::size_t i = begin; i < end; i += std::size_t(lanes<FloatN>)) bin_pack(i, end);
-        sort_by_tile();
-        return counts_;
-    }
-
-private:
-    using I = Int<FloatN>;
-
-    void bin_pack(std::size_t start, std::size_t end) {
-        const int count = int(std::min(std::size_t(native_lanes), end - start));
-        const std::uint32_t live = (1u << count) - 1;
-        counts_.submitted += count;
-        std::array<IntN, 3> places;
-        MaskN bad(false);
-        draw_.load_corners(start, count, places);
-        for (IntN& p : places) {
-            // Unsigned comparison by way of a signed one; entries before the first wrap to large numbers.
-            const IntN bias(std::numeric_limits<std::int32_t>::min());
-            p = p - IntN(std::int32_t(draw_.buffer.first));
-            const MaskN missing = (p ^ bias) >= (IntN(std::int32_t(draw_.buffer.window.size())) ^ bias);
-            p = select(missing, IntN(0), p);
-            bad = bad | missing;
-        }
-        std::array<SubpixelVertex<FloatN>, 3> v;
-        MaskN inside = !bad;
-        for (std::size_t c = 0; c < 3; ++c) {
-            WindowVertex<FloatN> window;
-            gather4(&draw_.buffer.window[0].x, places[c], window.x, window.y, window.z, window.oow);
-            inside = inside & (window.x == window.x);
-            v[c] = snap(window);
-        }
-        const std::uint32_t slow = ~bitmask(inside) & live;
-        const SubpixelBox<FloatN> box = bounding_box(v);
-        const auto [positive, zero] = signs_of_area(v, box, live & ~slow);
-        const std::uint32_t front = draw_.state.front_face == FrontFace::counter_clockwise ? positive : ~positive;
-        const std::uint32_t culled = (is_culled(draw_.state.cull, true) ? front : 0) |
-                                     (is_culled(draw_.state.cull, false) ? ~front : 0);
-        const std::uint32_t kept = live & ~slow & ~zero & ~culled;
-        counts_.zero_area += std::popcount(live & ~slow & zero);
-        counts_.culled += std::popcount(live & ~slow & ~zero & culled);
-        counts_.drawn += std::popcount(kept);
-
-        const IntN x0 = max(box.first_x(), IntN(0)), y0 = max(box.first_y(), IntN(0));
-        const IntN x1 = min(box.last_x(), IntN(draw_.width - 1)), y1 = min(box.last_y(), IntN(draw_.height - 1));
-        std::uint32_t visible = kept & bitmask((x0 <= x1) & (y0 <= y1));
-        const std::uint32_t dots = visible & bitmask(((x1 - x0) <= IntN(1)) & ((y1 - y0) <= IntN(1)));
-        if (dots) visible &= ~(dots & nothing_covered(v, x0, y0, x1 - x0, y1 - y0));
-        for (std::uint32_t rest = visible | slow; rest; rest &= rest - 1) {
-            const int lane = std::countr_zero(rest);
-            const std::size_t triangle = start + std::size_t(lane);
-            if (slow >> lane & 1) {
-                bin_slow(triangle);
-            } else {
-                emit({x0.v[lane], y0.v[lane], x1.v[lane], y1.v[lane]}, std::uint32_t(triangle));
-            }
-        }
-    }
-
-    /// Lanes whose area is positive, and lanes where it is 0. Slow lanes hold garbage.
-    static std::pair<std::uint32_t, std::uint32_t> signs_of_area(const std::array<SubpixelVertex<FloatN>, 3>& v,
-                                                                 const SubpixelBox<FloatN>& box, std::uint32_t live) {
-        const IntN area = wrapping_area(v);
-        std::uint32_t positive = bitmask(area > IntN(0)), zero = bitmask(area == IntN(0));
-        const MaskN large = ((box.max_x - box.min_x) | (box.max_y - box.min_y)) >= IntN(1 << 15);
-        for (std::uint32_t rest = bitmask(large) & live; rest; rest &= rest - 1) {
-            const int k = std::countr_zero(rest);
-            const std::int64_t exact = signed_area(
-                {{{v[0].x.v[k], v[0].y.v[k]}, {v[1].x.v[k], v[1].y.v[k]}, {v[2].x.v[k], v[2].y.v[k]}}});
-            positive = (positive & ~(1u << k)) | std::uint32_t(exact > 0) << k;
-            zero = (zero & ~(1u << k)) | std::uint32_t(exact == 0) << k;
-        }
-        return {positive, zero};
-    }
-
-    /// Among triangles of at most 2 x 2 pixel centres, those that cover none: most of a fine mesh.
-    std::uint32_t nothing_covered(std::array<SubpixelVertex<FloatN>, 3> v, IntN x0, IntN y0, IntN columns, IntN rows) const {
-        for (auto& corner : v) {
-            corner.x = corner.x - (x0 << subpixel_bits);
-            corner.y = corner.y - (y0 << subpixel_bits);
-        }
-        order_corners(v);
-        std::array<Edge<FloatN>, 3> edges;
-        std::array<IntN, 3> origins;
-        for (std::size_t i = 0; i < 3; ++i) {
-            edges[i] = make_edge(v[i], v[(i + 1) % 3], draw_.state.fill_rule);
-            origins[i] = pixel_origin(edges[i]);
-        }
-        return bitmask(covered_2x2(edges, origins, IntN(0), IntN(0), columns, rows) == IntN(0));
-    }
-
-    /// A triangle with a corner outside, or without one: the clip stage decides.
-    void bin_slow(std::size_t triangle) {
-        const auto vertices = draw_.corners(triangle);
-        std::uint8_t all = 0xff, any = 0;
-        for (const std::uint32_t v : vertices) {
-            if (!draw_.exists(v)) {
-                ++counts_.bad_index;
-                return;
-            }
-            all &= draw_.buffer.outcodes[v - draw_.buffer.first];
-            any |= draw_.buffer.outcodes[v - draw_.buffer.first];
-        }
-        if (any & not_finite_bit) {
-            ++counts_.not_finite;
-            return;
-        }
-        if (all) {
-            ++counts_.outside;
-            return;
-        }
-        // Clip positions were not kept; shading is pure, so the second run gives the same.
-        ClipPolygon<std::size_t(varying_count<S>)> polygon;
-        for (const std::uint32_t v : vertices)
-            polygon.add(shade_vertex<S, float>(draw_.shader, draw_.vertices[v - draw_.buffer.first]));
-        const auto provoking = polygon.corners[2];
-        polygon = clip_triangle<S>(polygon, any, [](auto&&...) {});
-        if (polygon.count < 3) {
-            ++counts_.outside;
-            return;
-        }
-        keep_flat_varyings<S>(polygon, provoking);
-        PieceFate fate;
-        for (int piece = 0; piece + 2 < polygon.count; ++piece) bin_piece(polygon, clip_fan(piece), triangle, fate);
-        fate.count(counts_);
-    }
-
-    void bin_piece(const ClipPolygon<std::size_t(varying_count<S>)>& polygon, std::array<int, 3> fan,
-                   std::size_t triangle, PieceFate& fate) {
-        ClippedPiece<S> piece;
-        std::array<SubpixelVertex<float>, 3> subpixel;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto& corner = polygon.corners[std::size_t(fan[c])];
-            piece.window[c] = project(corner.clip, draw_.viewport);
-            piece.varyings[c] = corner.varyings;
-            subpixel[c] = snap(piece.window[c]);
-        }
-        piece.triangle = std::uint32_t(triangle);
-        const std::int64_t area = signed_area(subpixel);
-        if (area == 0) return;
-        if (is_culled(draw_.state.cull, is_front_facing(draw_.state.front_face, area))) {
-            fate.any_culled = true;
-            return;
-        }
-        fate.any_drawn = true;
-        const PixelBox box = bounding_pixels(subpixel, draw_.width, draw_.height);
-        if (box.empty()) return;
-        emit(box, clipped_bit | std::uint32_t(pieces_.size()));
-        pieces_.push_back(piece);
-    }
-
-    void emit(const PixelBox& box, std::uint32_t triangle) {
-        for (int ty = box.min_y >> tile_bits; ty <= box.max_y >> tile_bits; ++ty)
-            for (int tx = box.min_x >> tile_bits; tx <= box.max_x >> tile_bits; ++tx)
-                bins_.pairs.push_back({std::uint32_t(ty * draw_.tiles_x + tx), triangle});
-    }
-
-    /// A counting sort: stable, so that a tile sees its triangles in submission order.
-    void sort_by_tile() {
-        const std::size_t tiles = std::size_t(draw_.tiles_x) * std::size_t(draw_.tiles_y);
-        auto& offsets = bins_.offsets;
-        offsets.assign(tiles + 1, 0);
-        for (const BinPair& p : bins_.pairs) ++offsets[p.tile + 1];
-        for (std::size_t t = 0; t < tiles; ++t) offsets[t + 1] += offsets[t];
-        bins_.entries.resize(bins_.pairs.size());
-        // Placing moves each tile's start to its end; the last loop moves them back.
-        for (const BinPair& p : bins_.pairs) bins_.entries[offsets[p.tile]++] = p.triangle;
-        for (std::size_t t = tiles; t > 0; --t) offsets[t] = offsets[t - 1];
-        offsets[0] = 0;
-    }
-
-    const DrawContext<S>& draw_;
-    ChunkBins& bins_;
-    std::vector<ClippedPiece<S>>& pieces_;
-    DrawCounts counts_;
+protected:
+    ~Clipper() = default;
 };
+
+/// Bins triangles begin to end - 1 of a draw.
+DrawCounts bin_chunk(const DrawContext& draw, Clipper& clipper, std::size_t begin, std::size_t end, ChunkBins& bins);
 
 }  // namespace raster::tiles

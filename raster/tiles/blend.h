@@ -1,6 +1,7 @@
 // blend.h: draws that blend: shade and mix each fragment when it passes, in submission order.
 #pragma once
 
+#include <raster/tiles/raster.h>
 #include <raster/tiles/resolve.h>
 
 namespace raster::tiles {
@@ -11,9 +12,8 @@ class BlendSink : public SlotMaker {
 public:
     static constexpr bool remembers = false;
 
-    BlendSink(const DrawContext<S>& draw, const std::vector<std::vector<ClippedPiece<S>>>& pieces, TileBuffer& tile,
-              Target& target)
-        : SlotMaker(tile), draw_(draw), pieces_(pieces), target_(target) {}
+    BlendSink(const ShadingContext<S>& context, TileBuffer& tile, Target& target)
+        : SlotMaker(tile), context_(context), blend_(context.draw.state.blend), target_(target) {}
 
     void begin(const Plane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
         SlotMaker::begin(depth, front_facing, entry, chunk);
@@ -30,15 +30,15 @@ private:
     /// Lanes run along rows of `width` pixels, the first at tile pixel i.
     RASTER_FLATTEN void blend(int i, MaskN passed, FloatN px, FloatN py, int width) {
         if (!ready_) {
-            planes_ = make_shading_planes(draw_, pieces_[current().chunk], current().entry, current().depth, current().front_facing);
+            planes_ = make_shading_planes(context_, current());
             ready_ = true;
         }
-        OutputArray<S, FloatN> out = shade_pixels<S, FloatN>(draw_.shader, planes_, px, py);
+        OutputArray<S, FloatN> out = shade_pixels<S, FloatN>(context_.shader, planes_, px, py);
         const int x = tile_.x + i % tile_size, y = tile_.y + i / tile_size;
         for (int lane = 0; lane < native_lanes; lane += width) {
-            const RowPlace place{target_.index(x, y + lane / width), std::clamp(draw_.width - x, 0, width)};
+            const RowPlace place{target_.index(x, y + lane / width), std::clamp(target_.width() - x, 0, width)};
             const std::uint32_t mine = bitmask(passed) >> lane & ((1u << place.count) - 1);
-            if (y + lane / width >= draw_.height || mine == 0) continue;
+            if (y + lane / width >= target_.height() || mine == 0) continue;
             blend_row(place, mine, lane, out);
         }
     }
@@ -50,18 +50,18 @@ private:
             std::uint32_t* to = target_.raw_color8() + place.index;
             if (first_lane == 0 && place.count == native_lanes) {
                 const IntN stored = load_int<FloatN>(to);
-                store_lanes(to, blend_rgba8(draw_.state.blend, packed, stored), mask_of(mine), native_lanes);
+                store_lanes(to, blend_rgba8(blend_, packed, stored), mask_of(mine), native_lanes);
             } else {
                 for (std::uint32_t rest = mine; rest; rest &= rest - 1) {
                     const int k = std::countr_zero(rest);
-                    to[k] = blend_rgba8(draw_.state.blend, std::uint32_t(packed.v[first_lane + k]), to[k]);
+                    to[k] = blend_rgba8(blend_, std::uint32_t(packed.v[first_lane + k]), to[k]);
                 }
             }
         } else {
             for (std::uint32_t rest = mine; rest; rest &= rest - 1) {
                 const int k = std::countr_zero(rest), lane = first_lane + k;
                 glm::vec4& to = target_.raw_color_float()[place.index + std::size_t(k)];
-                to = blend_float(draw_.state.blend,
+                to = blend_float(blend_,
                                  glm::vec4(color.x.v[lane], color.y.v[lane], color.z.v[lane], color.w.v[lane]), to);
             }
         }
@@ -79,8 +79,8 @@ private:
         return (IntN(std::int32_t(bits)) & lane_bit) != IntN(0);
     }
 
-    const DrawContext<S>& draw_;
-    const std::vector<std::vector<ClippedPiece<S>>>& pieces_;
+    const ShadingContext<S>& context_;
+    Blend blend_;
     Target& target_;
     bool ready_ = false;
     ShadingPlanes<S> planes_;

@@ -31,77 +31,69 @@ inline std::pair<std::uint32_t, std::uint32_t> used_vertices(std::span<const std
     return {low, high};
 }
 
-/// Feeds the triangles of all bins of one tile to a sink, in order.
-template <Shader S, class Depth, class Sink>
-RASTER_FLATTEN inline void raster_tile(const DrawContext<S>& draw, std::span<const ChunkBins> chunks,
-                                       const std::vector<std::vector<ClippedPiece<S>>>& pieces, std::size_t tile_index,
-                                       TileBuffer& tile, const Depth& depth, Sink& sink) {
-    TileRaster<Depth, Sink> raster(tile, depth, sink);
-    for (std::uint32_t c = 0; c < chunks.size(); ++c) {
-        const std::uint32_t* entry = chunks[c].entries.data() + chunks[c].offsets[tile_index];
-        const std::uint32_t* end = chunks[c].entries.data() + chunks[c].offsets[tile_index + 1];
-        for (; entry < end; entry += native_lanes) {
-            const int count = int(std::min<std::ptrdiff_t>(end - entry, native_lanes));
-            std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
-            std::uint32_t clipped = 0;
-            for (int lane = 0; lane < count; ++lane) {
-                if (entry[lane] & clipped_bit) {
-                    clipped |= 1u << lane;
-                } else {
-                    const auto v = draw.corners(entry[lane]);
-                    for (std::size_t k = 0; k < 3; ++k) places[k].v[lane] = std::int32_t(v[k] - draw.buffer.first);
-                }
-            }
-            const PackSetup pack = set_up_pack(&draw.buffer.window[0].x, places, draw.state, depth.format, tile.x, tile.y,
-                                               draw.width, draw.height);
-            for (int lane = 0; lane < count; ++lane) {
-                if ((pack.dots & ~(pack.wide | clipped)) >> lane & 1) {
-                    raster.draw_dots(pack, lane, entry[lane], c);
-                    continue;
-                }
-                TileTriangle t = (pack.wide | clipped) >> lane & 1
-                                     ? set_up_one(corner_windows(draw, pieces[c], entry[lane]), draw.state, depth.format,
-                                                  tile.x, tile.y, draw.width, draw.height)
-                                     : pack.at(lane);
-                t.entry = entry[lane];
-                raster.draw(t, c);
-            }
-        }
+/// The clip stage of one draw: shades a triangle's corners again, clips it, projects the fan.
+template <Shader S>
+class ShaderClipper final : public Clipper {
+public:
+    ShaderClipper(const DrawContext& draw, const S& shader, std::span<const typename S::template Vertex<float>> vertices,
+                  std::vector<std::array<VaryingArray<S>, 3>>& kept)
+        : draw_(draw), shader_(shader), vertices_(vertices), kept_(kept) {
+        kept.clear();
     }
-}
 
-/// All of one tile: load, raster, resolve.
-template <Shader S, class Depth>
-inline void draw_tile(const DrawContext<S>& draw, std::span<const ChunkBins> chunks,
-                      const std::vector<std::vector<ClippedPiece<S>>>& pieces, std::size_t tile_index, Target& target,
-                      const Depth& depth) {
-    const int tile_x = int(tile_index) % draw.tiles_x, tile_y = int(tile_index) / draw.tiles_x;
-    const bool touched = std::ranges::any_of(
-        chunks, [&](const ChunkBins& c) { return c.offsets[tile_index] != c.offsets[tile_index + 1]; });
-    if (!touched) {
-        if (target.clear_is_pending()) target.write_clear_tile(tile_x * tile_size, tile_y * tile_size, tile_size);
-        return;
+    Fan clip(std::size_t triangle, std::int32_t outside) override {
+        ClipPolygon<std::size_t(varying_count<S>)> corners;
+        for (const std::uint32_t v : draw_.corners(triangle)) corners.add(shade_vertex<S, float>(shader_, vertices_[v]));
+        polygon_ = clip_triangle<S>(corners, outside, [](auto&&...) {});
+        keep_flat_varyings<S>(polygon_, corners.corners[2]);
+        Fan fan;
+        for (; fan.count + 2 < polygon_.count; ++fan.count)
+            for (std::size_t c = 0; c < 3; ++c)
+                fan.pieces[std::size_t(fan.count)][c] = project(corner(fan.count, c).clip, draw_.viewport);
+        return fan;
     }
+    void keep(int piece) override {
+        kept_.push_back({corner(piece, 0).varyings, corner(piece, 1).varyings, corner(piece, 2).varyings});
+    }
+
+private:
+    const auto& corner(int piece, std::size_t c) const {
+        return polygon_.corners[std::size_t(clip_fan(piece)[c])];
+    }
+
+    const DrawContext& draw_;
+    const S& shader_;
+    std::span<const typename S::template Vertex<float>> vertices_;
+    std::vector<std::array<VaryingArray<S>, 3>>& kept_;
+    ClipPolygon<std::size_t(varying_count<S>)> polygon_;
+};
+
+/// All of one tile: load, raster, then resolve or blend.
+template <Shader S>
+inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, Target& target) {
+    const DrawContext& draw = context.draw;
+    const int tile_x = int(tile_index) % draw.tiles_x, tile_y = int(tile_index) / draw.tiles_x;
+    const bool touched = std::ranges::any_of(context.chunks, [&](const ChunkBins& c) {
+        return c.offsets[tile_index] != c.offsets[tile_index + 1];
+    });
+    const bool blends = HasFragment<S> && draw.state.blend != Blend::off && draw.state.color_write;
+    if (target.clear_is_pending() && (!touched || blends))
+        target.write_clear_tile(tile_x * tile_size, tile_y * tile_size, tile_size);
+    if (!touched) return;
+
     thread_local TileBuffer tile;
+    load_tile(tile, target, tile_x, tile_y);
     if constexpr (HasFragment<S>) {
-        if (draw.state.blend != Blend::off && draw.state.color_write) {
-            if (target.clear_is_pending()) target.write_clear_tile(tile_x * tile_size, tile_y * tile_size, tile_size);
-            load_tile(tile, target, tile_x, tile_y);
-            BlendSink<S> sink(draw, pieces, tile, target);
-            raster_tile(draw, chunks, pieces, tile_index, tile, depth, sink);
+        if (blends) {
+            BlendSink<S> sink(context, tile, target);
+            const AnyDepth depth{draw.state.depth_compare, draw.state.depth_write, target.depth_format()};
+            raster_tile(draw, context.chunks, tile_index, tile, depth, sink);
             store_depth(tile, target);
             return;
         }
     }
-    load_tile(tile, target, tile_x, tile_y);
-    if (HasFragment<S> && draw.state.color_write) {
-        RememberSink<true> sink(tile);
-        raster_tile(draw, chunks, pieces, tile_index, tile, depth, sink);
-    } else {
-        RememberSink<false> sink(tile);
-        raster_tile(draw, chunks, pieces, tile_index, tile, depth, sink);
-    }
-    TileResolve<S>(draw, pieces, tile, target).run();
+    raster_opaque(draw, context.chunks, tile_index, tile, target.depth_format(), HasFragment<S> && draw.state.color_write);
+    TileResolve<S>(context, tile, target).run();
 }
 
 /// raster::draw without an observer.
@@ -112,51 +104,38 @@ DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template
     const std::size_t index_count = mesh.indices.empty() ? mesh.vertices.size() : mesh.indices.size();
     const std::size_t triangles = triangle_count(state.topology, index_count);
     DrawCounts counts;
-    const auto [low, high] = used_vertices(mesh.indices, mesh.vertices.size());
     if (triangles == 0) return counts;
+    const auto [low, high] = used_vertices(mesh.indices, mesh.vertices.size());
     if (low > high) {
         counts.submitted = counts.bad_index = std::int64_t(triangles);
         return counts;
     }
 
-    DrawContext<S> context{shader,
-                           mesh.vertices.subspan(low, high - low + 1),
-                           mesh.indices,
-                           state,
-                           ViewportTransform(viewport),
-                           target.width(),
-                           target.height(),
-                           (target.width() + tile_size - 1) / tile_size,
-                           (target.height() + tile_size - 1) / tile_size,
-                           {}};
     Scratch& scratch = target.scratch();
-    context.buffer = shade_vertices(shader, context.vertices, low, context.viewport, scratch);
+    const ViewportTransform transform(viewport);
+    const VertexBuffer<S> shaded =
+        shade_vertices(shader, mesh.vertices.subspan(low, high - low + 1), transform, scratch);
+    const int tiles_x = (target.width() + tile_size - 1) / tile_size, tiles_y = (target.height() + tile_size - 1) / tile_size;
+    const DrawContext context{mesh.indices, state,   transform, target.width(), target.height(),
+                              tiles_x,      tiles_y, low,       shaded.window,  shaded.outcodes};
 
-    const std::size_t tiles = std::size_t(context.tiles_x) * std::size_t(context.tiles_y);
-    const bool usual = state.depth_compare == UsualDepth::compare && state.depth_write == UsualDepth::write &&
-                       target.depth_format() == UsualDepth::format;
     constexpr std::size_t batch = chunk_triangles * batch_chunks;
     for (std::size_t first = 0; first < triangles; first += batch) {
         const std::size_t end = std::min(first + batch, triangles);
         const std::size_t chunk_count = (end - first + chunk_triangles - 1) / chunk_triangles;
         if (scratch.chunks.size() < chunk_count) scratch.chunks.resize(chunk_count);
-        std::vector<std::vector<ClippedPiece<S>>> pieces(chunk_count);
+        std::vector<std::vector<std::array<VaryingArray<S>, 3>>> piece_varyings(chunk_count);
         std::vector<DrawCounts> chunk_counts(chunk_count);
         parallel_for(chunk_count, [&](std::size_t c) {
             const std::size_t begin = first + c * chunk_triangles;
-            chunk_counts[c] = ChunkBinner<S>(context, scratch.chunks[c], pieces[c]).run(begin, std::min(begin + chunk_triangles, end));
+            ShaderClipper<S> clipper(context, shader, mesh.vertices, piece_varyings[c]);
+            chunk_counts[c] = bin_chunk(context, clipper, begin, std::min(begin + chunk_triangles, end), scratch.chunks[c]);
         });
         for (const DrawCounts& c : chunk_counts) counts += c;
 
-        const std::span<const ChunkBins> chunks(scratch.chunks.data(), chunk_count);
-        parallel_for(tiles, [&](std::size_t tile) {
-            if (usual) {
-                draw_tile(context, chunks, pieces, tile, target, UsualDepth{});
-            } else {
-                draw_tile(context, chunks, pieces, tile, target,
-                          AnyDepth{state.depth_compare, state.depth_write, target.depth_format()});
-            }
-        });
+        const ShadingContext<S> shading{context, {scratch.chunks.data(), chunk_count}, shader, shaded.varyings, piece_varyings};
+        parallel_for(std::size_t(tiles_x) * std::size_t(tiles_y),
+                     [&](std::size_t tile) { draw_tile(shading, tile, target); });
         target.clear_was_written();
     }
     return counts;

@@ -1,7 +1,7 @@
 // raster.h: driver of stages 7 and 8 inside a tile: walk a triangle's pixels in blocks and cells, test coverage and depth.
 //
-// What becomes of the pixels that pass is the Sink's business: to remember the triangle (tiles/resolve.h), or to shade
-// and blend at once (tiles/blend.h).
+// What becomes of the pixels that pass is the Sink's business: to remember the triangle until tiles/resolve.h shades it, or
+// to shade and blend at once (tiles/blend.h).
 #pragma once
 
 #include <bit>
@@ -21,6 +21,32 @@ struct AnyDepth {
     Compare compare;
     bool write;
     DepthFormat format;
+};
+
+/// Gives the current triangle a slot when it is first visible.
+class SlotMaker {
+public:
+    explicit SlotMaker(TileBuffer& tile) : tile_(tile) {}
+
+    void begin(const Plane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
+        current_ = {depth, chunk, entry, front_facing};
+        slot_ = 0;
+    }
+    std::int32_t slot() {
+        if (slot_ == 0) {
+            slot_ = std::int32_t(tile_.slots.size());
+            tile_.slots.push_back(current_);
+        }
+        return slot_;
+    }
+    const Slot& current() const { return current_; }
+
+protected:
+    TileBuffer& tile_;
+
+private:
+    Slot current_{};
+    std::int32_t slot_ = 0;
 };
 
 /// Puts triangles, in order, into one tile.
@@ -198,5 +224,48 @@ private:
     const Depth& depth_;
     Sink& sink_;
 };
+
+/// Feeds the triangles of all bins of one tile to a sink, in order.
+template <class Depth, class Sink>
+inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
+                        TileBuffer& tile, const Depth& depth, Sink& sink) {
+    TileRaster<Depth, Sink> raster(tile, depth, sink);
+    for (std::uint32_t c = 0; c < chunks.size(); ++c) {
+        const std::uint32_t* entry = chunks[c].entries.data() + chunks[c].offsets[tile_index];
+        const std::uint32_t* end = chunks[c].entries.data() + chunks[c].offsets[tile_index + 1];
+        for (; entry < end; entry += native_lanes) {
+            const int count = int(std::min<std::ptrdiff_t>(end - entry, native_lanes));
+            std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
+            std::uint32_t clipped = 0;
+            for (int lane = 0; lane < count; ++lane) {
+                if (entry[lane] & clipped_bit) {
+                    clipped |= 1u << lane;
+                } else {
+                    const auto v = draw.corners(entry[lane]);
+                    for (std::size_t k = 0; k < 3; ++k) places[k].v[lane] = std::int32_t(v[k] - draw.first_vertex);
+                }
+            }
+            const PackSetup pack = set_up_pack(&draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y,
+                                               draw.width, draw.height);
+            for (int lane = 0; lane < count; ++lane) {
+                if ((pack.dots & ~(pack.wide | clipped)) >> lane & 1) {
+                    raster.draw_dots(pack, lane, entry[lane], c);
+                    continue;
+                }
+                TileTriangle t = (pack.wide | clipped) >> lane & 1
+                                     ? set_up_one(draw.corner_windows(chunks[c], entry[lane]), draw.state, depth.format,
+                                                  tile.x, tile.y, draw.width, draw.height)
+                                     : pack.at(lane);
+                t.entry = entry[lane];
+                raster.draw(t, c);
+            }
+        }
+    }
+}
+
+/// The same for opaque draws: tile.slot and tile.uniform say afterwards who is visible where. Without `colors` only depths
+/// are kept.
+void raster_opaque(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index, TileBuffer& tile,
+                   DepthFormat format, bool colors);
 
 }  // namespace raster::tiles

@@ -1,58 +1,11 @@
-// resolve.h: opaque draws: remember who is visible at each pixel, then shade each visible pixel once.
+// resolve.h: opaque draws: shade each visible pixel of a tile once, when all its triangles are known.
 #pragma once
 
 #include <raster/stages/blend.h>
-#include <raster/tiles/raster.h>
 #include <raster/tiles/shade.h>
+#include <raster/tiles/tile.h>
 
 namespace raster::tiles {
-
-/// Gives the current triangle a slot when it is first visible.
-class SlotMaker {
-public:
-    explicit SlotMaker(TileBuffer& tile) : tile_(tile) {}
-
-    void begin(const Plane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
-        current_ = {depth, chunk, entry, front_facing};
-        slot_ = 0;
-    }
-    std::int32_t slot() {
-        if (slot_ == 0) {
-            slot_ = std::int32_t(tile_.slots.size());
-            tile_.slots.push_back(current_);
-        }
-        return slot_;
-    }
-    const Slot& current() const { return current_; }
-
-protected:
-    TileBuffer& tile_;
-
-private:
-    Slot current_{};
-    std::int32_t slot_ = 0;
-};
-
-/// The Sink that remembers. Without need of colours only uniform blocks keep their slots.
-template <bool colors>
-class RememberSink : public SlotMaker {
-public:
-    static constexpr bool remembers = true;
-
-    using SlotMaker::SlotMaker;
-
-    void cell(int i, MaskN passed, FloatN, FloatN) {
-        if constexpr (colors)
-            store_cell(tile_.slot + i, select(passed, IntN(slot()), load_cell<native_lanes>(tile_.slot + i)));
-    }
-    void row(int i, MaskN passed, FloatN, FloatN) {
-        if constexpr (colors)
-            store_int(tile_.slot + i, select(passed, IntN(slot()), load_int<FloatN>(tile_.slot + i)));
-    }
-    void pixel(int i, float, float) {
-        if constexpr (colors) tile_.slot[i] = slot();
-    }
-};
 
 /// Where lanes<FloatN> pixels of a target's row go: the first `count` exist.
 struct RowPlace {
@@ -102,9 +55,8 @@ inline void write_outputs(Target& target, RowPlace place, MaskN passed, const Ou
 template <Shader S>
 class TileResolve {
 public:
-    TileResolve(const DrawContext<S>& draw, const std::vector<std::vector<ClippedPiece<S>>>& pieces, TileBuffer& tile,
-                Target& target)
-        : draw_(draw), pieces_(pieces), tile_(tile), target_(target) {}
+    TileResolve(const ShadingContext<S>& context, TileBuffer& tile, Target& target)
+        : context_(context), state_(context.draw.state), tile_(tile), target_(target) {}
 
     void run() {
         if (tile_.whole && tile_.whole_slot == 0) {
@@ -114,8 +66,8 @@ public:
         if (tile_.whole) split_tile(tile_);
         planes_.resize(tile_.slots.size());
         ready_.assign(tile_.slots.size(), 0);
-        columns_ = std::min(tile_size, draw_.width - tile_.x);
-        rows_ = std::min(tile_size, draw_.height - tile_.y);
+        columns_ = std::min(tile_size, target_.width() - tile_.x);
+        rows_ = std::min(tile_size, target_.height() - tile_.y);
         for (int block = 0; block < block_count; ++block) {
             const int x = block % blocks_per_row * block_size, y = block / blocks_per_row * block_size;
             if (x >= columns_ || y >= rows_) continue;
@@ -140,7 +92,7 @@ private:
     /// Extra planes that the shader does not fill keep the clear's value.
     bool fills_all_planes() const {
         if constexpr (HasFragment<S>) {
-            return draw_.state.color_write && output_count<S> - 4 >= target_.extra_channels();
+            return state_.color_write && output_count<S> - 4 >= target_.extra_channels();
         } else {
             return false;
         }
@@ -157,9 +109,9 @@ private:
                 store_lanes(target_.raw_depth_bits() + to.index, depth_row(format, p.depth, tile_.x + column, tile_.y + row),
                             MaskN(true), to.count);
                 if constexpr (HasFragment<S>) {
-                    if (!draw_.state.color_write) continue;
+                    if (!state_.color_write) continue;
                     const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
-                    write_outputs<S>(target_, to, MaskN(true), shade_pixels<S, FloatN>(draw_.shader, p, px, py));
+                    write_outputs<S>(target_, to, MaskN(true), shade_pixels<S, FloatN>(context_.shader, p, px, py));
                 }
             }
     }
@@ -171,10 +123,10 @@ private:
             for (int column = x; column < std::min(x + block_size, columns_); column += native_lanes) {
                 const int i = row * tile_size + column;
                 const RowPlace to = place(column, row);
-                if (draw_.state.depth_write || tile_.cleared)
+                if (state_.depth_write || tile_.cleared)
                     store_lanes(target_.raw_depth_bits() + to.index, load_int<FloatN>(tile_.depth + i), MaskN(true), to.count);
                 if constexpr (HasFragment<S>) {
-                    if (!draw_.state.color_write) continue;
+                    if (!state_.color_write) continue;
                     const IntN slots = load_int<FloatN>(tile_.slot + i);
                     const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
                     std::uint32_t rest = bitmask(slots != IntN(0)) & ((1u << to.count) - 1);
@@ -182,7 +134,7 @@ private:
                         const std::int32_t slot = tile_.slot[i + std::countr_zero(rest)];
                         const MaskN mine = slots == IntN(slot);
                         rest &= ~bitmask(mine);
-                        write_outputs<S>(target_, to, mine, shade_pixels<S, FloatN>(draw_.shader, planes(slot), px, py));
+                        write_outputs<S>(target_, to, mine, shade_pixels<S, FloatN>(context_.shader, planes(slot), px, py));
                     }
                 }
             }
@@ -191,15 +143,14 @@ private:
     const ShadingPlanes<S>& planes(std::int32_t slot) {
         const std::size_t i = std::size_t(slot);
         if (!ready_[i]) {
-            const Slot& s = tile_.slots[i];
-            planes_[i] = make_shading_planes(draw_, pieces_[s.chunk], s.entry, s.depth, s.front_facing);
+            planes_[i] = make_shading_planes(context_, tile_.slots[i]);
             ready_[i] = 1;
         }
         return planes_[i];
     }
 
-    const DrawContext<S>& draw_;
-    const std::vector<std::vector<ClippedPiece<S>>>& pieces_;
+    const ShadingContext<S>& context_;
+    const State& state_;
     TileBuffer& tile_;
     Target& target_;
     std::vector<ShadingPlanes<S>> planes_;

@@ -4,6 +4,7 @@
 #include <raster/stages/coverage.h>
 #include <raster/stages/setup.h>
 #include <raster/tiles/bin.h>
+#include <raster/tiles/lane_triangles.h>
 #include <raster/tiles/tile.h>
 
 namespace raster::tiles {

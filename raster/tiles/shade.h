@@ -3,9 +3,20 @@
 
 #include <raster/stages/fragment.h>
 #include <raster/stages/interpolate.h>
-#include <raster/tiles/setup.h>
+#include <raster/tiles/bin.h>
+#include <raster/tiles/vertices.h>
 
 namespace raster::tiles {
+
+/// What shading adds to a DrawContext: the shader, and the varyings of vertices and of each chunk's clipped pieces.
+template <Shader S>
+struct ShadingContext {
+    const DrawContext& draw;
+    std::span<const ChunkBins> chunks;
+    const S& shader;
+    std::span<const VaryingArray<S>> varyings;
+    std::span<const std::vector<std::array<VaryingArray<S>, 3>>> piece_varyings;
+};
 
 /// A triangle's planes, and what else its fragments are told.
 template <Shader S>
@@ -18,23 +29,26 @@ struct ShadingPlanes {
 
 /// The planes of a bin's entry.
 template <Shader S>
-inline ShadingPlanes<S> make_shading_planes(const DrawContext<S>& draw, const std::vector<ClippedPiece<S>>& pieces,
-                                            std::uint32_t entry, const Plane<float>& depth, bool front_facing) {
-    const auto window = corner_windows(draw, pieces, entry);
+inline ShadingPlanes<S> make_shading_planes(const ShadingContext<S>& context, const Slot& slot) {
+    const DrawContext& draw = context.draw;
+    const ChunkBins& bins = context.chunks[slot.chunk];
+    const bool clipped = slot.entry & clipped_bit;
+    const std::uint32_t piece = slot.entry & ~clipped_bit;
+    const auto window = draw.corner_windows(bins, slot.entry);
     std::array<const VaryingArray<S>*, 3> varyings;
-    if (entry & clipped_bit) {
-        for (std::size_t c = 0; c < 3; ++c) varyings[c] = &pieces[entry & ~clipped_bit].varyings[c];
+    if (clipped) {
+        for (std::size_t c = 0; c < 3; ++c) varyings[c] = &context.piece_varyings[slot.chunk][piece][c];
     } else {
-        const auto corners = draw.corners(entry);
-        for (std::size_t c = 0; c < 3; ++c) varyings[c] = &draw.buffer.varyings[corners[c] - draw.buffer.first];
+        const auto corners = draw.corners(slot.entry);
+        for (std::size_t c = 0; c < 3; ++c) varyings[c] = &context.varyings[corners[c] - draw.first_vertex];
     }
-    const bool counter_clockwise = front_facing == (draw.state.front_face == FrontFace::counter_clockwise);
+    const bool counter_clockwise = slot.front_facing == (draw.state.front_face == FrontFace::counter_clockwise);
     const auto order = setup_order(counter_clockwise ? 1 : -1);
     const auto at = [&](std::size_t i) { return std::size_t(order[i]); };
     const PlaneBasis<float> basis = make_plane_basis(window[at(0)], window[at(1)], window[at(2)]);
     return {make_varying_planes<S, float>(basis, {varyings[at(0)], varyings[at(1)], varyings[at(2)]},
                                           {window[at(0)].oow, window[at(1)].oow, window[at(2)].oow}),
-            depth, std::int32_t(entry & clipped_bit ? pieces[entry & ~clipped_bit].triangle : entry), front_facing};
+            slot.depth, std::int32_t(clipped ? bins.pieces[piece].triangle : slot.entry), slot.front_facing};
 }
 
 /// The outputs of the pixels (px, py), one in each lane.

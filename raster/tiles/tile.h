@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <raster/lanes.h>
-#include <raster/stages/interpolate.h>
 #include <raster/target.h>
 #include <raster/tiles/bin.h>
 #include <raster/tiles/coarse.h>
@@ -23,13 +22,6 @@ inline constexpr int block_count = blocks_per_row * blocks_per_row;
 inline constexpr int cell_width = 4;
 inline constexpr int cell_height = native_lanes / cell_width;
 static_assert(native_lanes == 4 || native_lanes == 8, "blocks are 8 pixels wide and cells 4");
-
-/// A triangle that some pixel of the tile shows or has shown.
-struct Slot {
-    Plane<float> depth;
-    std::uint32_t chunk, entry;  ///< which bin entry it is
-    bool front_facing;
-};
 
 /// The depths and owners of a tile's pixels. A uniform block's pixels all belong to one slot, and are not written until
 /// something else touches the block: full-screen triangles that hide each other then cost a few instructions a block.

@@ -13,11 +13,10 @@ namespace raster::tiles {
 /// The bit beside the six of an outcode that marks a position with a NaN or an infinity.
 inline constexpr std::uint8_t not_finite_bit = 1 << clip_plane_count;
 
-/// The shaded vertices of a draw. Entry i belongs to vertex first + i. A vertex that is outside any plane has a NaN
+/// The shaded vertices of a draw. A vertex that is outside any plane has a NaN
 /// as window x: its triangles take the slow way through the clip stage, and all others need not look at outcodes.
 template <Shader S>
 struct VertexBuffer {
-    std::uint32_t first = 0;
     std::span<WindowVertex<float>> window;
     std::span<std::uint8_t> outcodes;
     std::span<VaryingArray<S>> varyings;
@@ -58,11 +57,11 @@ RASTER_FLATTEN inline void shade_pack(const S& shader, std::span<const typename 
     }
 }
 
-/// Shades all of `vertices`, of which the first has number `first` in its draw.
+/// Shades all of `vertices`.
 template <Shader S>
 inline VertexBuffer<S> shade_vertices(const S& shader, std::span<const typename S::template Vertex<float>> vertices,
-                                      std::uint32_t first, const ViewportTransform& viewport, Scratch& scratch) {
-    VertexBuffer<S> out{first, scratch.window.get<WindowVertex<float>>(vertices.size()),
+                                      const ViewportTransform& viewport, Scratch& scratch) {
+    VertexBuffer<S> out{scratch.window.get<WindowVertex<float>>(vertices.size()),
                         scratch.outcodes.get<std::uint8_t>(vertices.size()),
                         scratch.varyings.get<VaryingArray<S>>(vertices.size())};
     constexpr std::size_t chunk = 4096;
