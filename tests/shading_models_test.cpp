@@ -86,6 +86,13 @@ TEST(BlinnPhong, GoesOnWherePhongEndsAtNinetyDegreesFromTheMirror) {
     EXPECT_NEAR(evaluate(BlinnPhong{1}, up, l, v).specular.x, 0.6087614f, 1e-6f);  // cos 52.5
 }
 
+TEST(BlinnPhong, HasNoHighlightWhereThereIsNoHalfVector) {
+    for (const double degrees : {0.0, 37.0, 60.0}) {
+        const glm::vec3 l = at_degrees(degrees);
+        EXPECT_EQ(evaluate(BlinnPhong{5}, up, l, -l).specular.x, 0.0f);
+    }
+}
+
 TEST(ReflectanceModels, GiveLanesExactlyWhatTheyGiveTheScalar) {
     constexpr int n = 8;
     using F = FloatPack<n>;
