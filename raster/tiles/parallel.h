@@ -13,7 +13,6 @@
 
 #if defined(RASTER_PLAIN_THREADS)
 #include <array>
-#include <atomic>
 #include <thread>
 #elif !defined(RASTER_NO_THREADS)
 #include <tbb/parallel_for.h>
@@ -29,15 +28,13 @@ inline void parallel_for(std::size_t count, const Body& body) {
     for (std::size_t i = 0; i < count; ++i) body(i);
 #elif defined(RASTER_PLAIN_THREADS)
     // The thread sanitizer does not see how oneTBB, which is compiled without it, hands work over, and takes that for
-    // races. With plain threads it reports what the bodies share; the relaxed counter puts no order between them.
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) body(i);
-    };
-    std::array<std::thread, 3> others;
-    for (std::thread& t : others) t = std::thread(work);
-    work();
-    for (std::thread& t : others) t.join();
+    // races. With plain threads it reports what the bodies share.
+    std::array<std::thread, 4> threads;
+    for (std::size_t t = 0; t < threads.size(); ++t)
+        threads[t] = std::thread([&, t] {
+            for (std::size_t i = t; i < count; i += threads.size()) body(i);
+        });
+    for (std::thread& t : threads) t.join();
 #else
     if (count == 1) {
         body(0);
