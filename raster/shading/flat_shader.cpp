@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include <raster/tiles/parallel.h>
 
 namespace raster {
 namespace {
@@ -43,8 +42,10 @@ std::vector<FaceLight> light_faces(const ShadingUniforms& u, const RuntimeModel&
     constexpr std::size_t n = std::size_t(lanes<FloatN>);
     const std::size_t count = (mesh.indices.empty() ? mesh.vertices.size() : mesh.indices.size()) / 3;
     std::vector<FaceLight> faces(count);
-    const auto light_blocks = [&](const tbb::blocked_range<std::size_t>& blocks) {
-        for (std::size_t block = blocks.begin(); block != blocks.end(); ++block) {
+    const std::size_t blocks = (count + n - 1) / n;
+    constexpr std::size_t chunk = 256;  // blocks that one thread takes at once
+    tiles::parallel_for((blocks + chunk - 1) / chunk, [&](std::size_t c) {
+        for (std::size_t block = c * chunk; block < std::min((c + 1) * chunk, blocks); ++block) {
             const Face<FloatN> face = gather_faces<FloatN>(mesh, block * n, count);
             const LitFace<FloatN> lit = light_face(u, model, face);
             const auto pick = [](const vec<3, FloatN>& v, int i) { return glm::vec3(lane(v.x, i), lane(v.y, i), lane(v.z, i)); };
@@ -54,8 +55,7 @@ std::vector<FaceLight> light_faces(const ShadingUniforms& u, const RuntimeModel&
                             pick(face.color, l)};
             }
         }
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (count + n - 1) / n, 256), light_blocks);
+    });
     return faces;
 }
 
