@@ -186,6 +186,22 @@ TEST(Triangulate, ASpikeHoldsNoArea) {
     EXPECT_EQ(area, 4);
 }
 
+TEST(Triangulate, ABentQuadLosesNoneOfItsSurface) {
+    // Folded by a right angle along its first diagonal; as seen along y or x, one half has no width.
+    const Polygon fold{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+    EXPECT_EQ(triangulate(fold), (Corners{0, 1, 2, 0, 2, 3}));
+    testing::Random random(11);
+    for (int i = 0; i < 1000; ++i) {
+        // Random heights over a convex quad: two triangles that look to one side of the mean normal.
+        Polygon p{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+        for (glm::vec3& c : p) c.z = random.uniform(-0.5f, 0.5f);
+        const Corners t = triangulate(p);
+        ASSERT_EQ(t.size(), 6u);
+        for (std::size_t k = 0; k < 6; k += 3)
+            EXPECT_GT(glm::dot(twice_area(p[t[k]], p[t[k + 1]], p[t[k + 2]]), twice_area(p)), 0);
+    }
+}
+
 TEST(Triangulate, SelfCrossingPolygonsGiveTrianglesOfTheirOwnCorners) {
     const Polygon bow_tie{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_FALSE(triangulate(bow_tie).empty());

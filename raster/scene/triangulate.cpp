@@ -25,6 +25,39 @@ glm::dvec3 vector_area(std::span<const glm::vec3> corners) {
     return sum;
 }
 
+/// A coordinate system across the polygon's normal, for polygons that are not flat.
+struct Plane {
+    glm::dvec3 origin, u, v;
+    bool is_bent;
+
+    glm::vec2 project(const glm::vec3& p) const {
+        const glm::dvec3 d = glm::dvec3(p) - origin;
+        return glm::vec2(glm::dvec2(glm::dot(d, u), glm::dot(d, v)));
+    }
+};
+
+Plane make_plane(std::span<const glm::vec3> corners, const glm::dvec3& area) {
+    const double length = std::sqrt(glm::dot(area, area));
+    if (!(length > 0)) return {};
+    const glm::dvec3 n = area / length;
+    double out = 0, extent = 0;
+    for (const glm::vec3& p : corners) {
+        const glm::dvec3 d = glm::dvec3(p) - glm::dvec3(corners[0]);
+        out = std::max(out, std::abs(glm::dot(d, n)));
+        extent = std::max({extent, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+    // Across the axis that is farthest from the normal.
+    const glm::dvec3 size = glm::abs(n);
+    glm::dvec3 axis(0, 0, 1);
+    if (size.x <= size.y && size.x <= size.z) {
+        axis = {1, 0, 0};
+    } else if (size.y <= size.z) {
+        axis = {0, 1, 0};
+    }
+    const glm::dvec3 u = glm::cross(axis, n), v = glm::cross(n, u);
+    return {glm::dvec3(corners[0]), u / std::sqrt(glm::dot(u, u)), v / std::sqrt(glm::dot(v, v)), out > 1e-4 * extent};
+}
+
 /// The bits of x at the even places.
 std::uint32_t spread(std::uint32_t x) {
     x = (x | (x << 8)) & 0x00ff00ffu;
@@ -51,19 +84,21 @@ void Triangulator::operator()(std::span<const glm::vec3> corners, std::vector<st
         if (!has_zero_area(corners[0], corners[1], corners[2])) triangles.insert(triangles.end(), {0, 1, 2});
         return;
     }
-    const bool has_plane = project(corners);
+    corners_ = corners;
+    triangles_ = &triangles;
+    const bool has_plane = project();
     if (ring_.size() < 3) return;
-    if (!has_plane) return fan_in_space(corners, triangles);
-    if (fan_from(0, triangles) || (ring_.size() == 4 && fan_from(1, triangles))) return;
-    clip_ears(corners, triangles);
+    if (!has_plane) return fan_in_space(0);
+    if (fan_from(0) || (ring_.size() == 4 && fan_from(1))) return;
+    clip_ears();
 }
 
-/// Fills ring_ with the corners, without repetitions in a row, along the axis of the largest area.
-/// False if there is no such axis.
-bool Triangulator::project(std::span<const glm::vec3> corners) {
-    const glm::dvec3 area = vector_area(corners);
+/// Fills ring_ with the corners as seen, without repetitions in a row. False if there is nowhere to see them from.
+bool Triangulator::project() {
+    const glm::dvec3 area = vector_area(corners_);
     const glm::dvec3 size = glm::abs(area);
-    // Two of the three coordinates, in the order that makes the area positive.
+    // Two of the three coordinates, in the order that makes the area positive. They are exact, unlike those along
+    // the normal, so whatever is collinear stays so.
     int u = 0, v = 1;
     double chosen = area.z;
     if (size.x > size.y && size.x > size.z) {
@@ -72,12 +107,14 @@ bool Triangulator::project(std::span<const glm::vec3> corners) {
         u = 2, v = 0, chosen = area.y;
     }
     if (chosen < 0) std::swap(u, v);
+    const Plane plane = make_plane(corners_, area);
 
     ring_.clear();
-    const glm::vec3* last = &corners.back();
-    for (std::uint32_t i = 0; i < corners.size(); ++i) {
-        const glm::vec3& p = corners[i];
-        if (p != *last) ring_.push_back({glm::vec2(p[u], p[v]), i, 0, 0, 0, 0, false, true});
+    const glm::vec3* last = &corners_.back();
+    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+        const glm::vec3& p = corners_[i];
+        const glm::vec2 at = plane.is_bent ? plane.project(p) : glm::vec2(p[u], p[v]);
+        if (p != *last) ring_.push_back({at, i, 0, 0, 0, 0, false, true});
         last = &p;
     }
     left_ = std::uint32_t(ring_.size());
@@ -94,28 +131,31 @@ double Triangulator::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) con
 
 /// The fan is right if the directions from the apex to the other corners turn one way and less than half a
 /// circle: then the apex sees all of the polygon.
-bool Triangulator::fan_from(std::uint32_t apex, std::vector<std::uint32_t>& triangles) const {
+bool Triangulator::fan_from(std::uint32_t apex) {
     const auto n = std::uint32_t(ring_.size());
     const auto nth = [&](std::uint32_t i) { return apex + i < n ? apex + i : apex + i - n; };
     for (std::uint32_t i = 1; i + 1 < n; ++i)
         if (!(turn(apex, nth(i), nth(i + 1)) > 0 && turn(apex, nth(1), nth(i + 1)) > 0)) return false;
-    for (std::uint32_t i = 1; i + 1 < n; ++i)
-        for (const std::uint32_t v : {apex, nth(i), nth(i + 1)}) triangles.push_back(ring_[v].corner);
+    fan_in_space(apex);
     return true;
 }
 
-/// For what has no plane to be seen on, such as a bow tie of equal halves.
-void Triangulator::fan_in_space(std::span<const glm::vec3> corners, std::vector<std::uint32_t>& triangles) const {
-    for (std::uint32_t b = ring_[0].next; ring_[b].next != 0; b = ring_[b].next) {
-        const std::uint32_t abc[] = {ring_[0].corner, ring_[b].corner, ring_[ring_[b].next].corner};
-        if (!has_zero_area(corners[abc[0]], corners[abc[1]], corners[abc[2]]))
-            triangles.insert(triangles.end(), std::begin(abc), std::end(abc));
-    }
+/// A fan from the apex over what is left, whatever its shape. For what has no plane to be seen on, such as a bow tie
+/// of equal halves, it is as good as any.
+void Triangulator::fan_in_space(std::uint32_t apex) {
+    for (std::uint32_t b = ring_[apex].next; left_ > 2 && ring_[b].next != apex; b = ring_[b].next)
+        emit(apex, b, ring_[b].next);
+}
+
+void Triangulator::emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const std::uint32_t corner[] = {ring_[a].corner, ring_[b].corner, ring_[c].corner};
+    if (!has_zero_area(corners_[corner[0]], corners_[corner[1]], corners_[corner[2]]))
+        triangles_->insert(triangles_->end(), std::begin(corner), std::end(corner));
 }
 
 // ------------------------------------------------------------------------------------------------ clipping
 
-void Triangulator::clip_ears(std::span<const glm::vec3> corners, std::vector<std::uint32_t>& triangles) {
+void Triangulator::clip_ears() {
     plant_tree();
     for (std::uint32_t v = 0; v < ring_.size(); ++v) classify(v);
     enqueue_all();
@@ -133,7 +173,7 @@ void Triangulator::clip_ears(std::span<const glm::vec3> corners, std::vector<std
     while (left_ > 3) {
         if (queue_head_ == queue_.size()) {
             while (!ring_[some].alive) ++some;
-            if (care == Care::none || !force_one(some, triangles)) break;
+            if (care == Care::none || !force_one(some)) break;
             visits_ = std::min(visits_, when_forced) - left_;
             enqueue_all();
             continue;
@@ -143,25 +183,15 @@ void Triangulator::clip_ears(std::span<const glm::vec3> corners, std::vector<std
         if (visits_ < 0) care = Care::none;
         // One whose neighbours changed since stands further back in the queue; taking turns avoids slivers.
         if (!ring_[v].alive || ring_[v].version != candidate.version) continue;
-        if (is_spike(v)) {
-            remove(v);
-        } else if (is_ear(v, care)) {
-            clip(v, triangles);
-        }
+        if (is_spike(v) || is_ear(v, care)) clip(v);
     }
     savings_ = std::max(savings_ - std::max(budget - visits_ - share, std::int64_t(0)), std::int64_t(0));
     while (!ring_[some].alive) ++some;
-    // The last triangle; or, of a polygon with no convex corner left, the rest as it comes.
-    const Vertex& a = ring_[some];
-    for (std::uint32_t b = a.next; left_ > 2 && ring_[b].next != some; b = ring_[b].next) {
-        const std::uint32_t abc[] = {a.corner, ring_[b].corner, ring_[ring_[b].next].corner};
-        if (!has_zero_area(corners[abc[0]], corners[abc[1]], corners[abc[2]]))
-            triangles.insert(triangles.end(), std::begin(abc), std::end(abc));
-    }
+    fan_in_space(some);  // the last triangle; or, of a polygon with no convex corner left, the rest as it comes
 }
 
-void Triangulator::clip(std::uint32_t v, std::vector<std::uint32_t>& triangles) {
-    for (const std::uint32_t w : {ring_[v].previous, v, ring_[v].next}) triangles.push_back(ring_[w].corner);
+void Triangulator::clip(std::uint32_t v) {
+    emit(ring_[v].previous, v, ring_[v].next);
     remove(v);
 }
 
@@ -190,7 +220,7 @@ void Triangulator::enqueue(std::uint32_t v) { queue_.push_back({v, ring_[v].vers
 
 void Triangulator::classify(std::uint32_t v) { set_blocks(v, !(turn(ring_[v].previous, v, ring_[v].next) > 0)); }
 
-/// A way out and straight back, or two corners in one place: it holds no area and goes without a triangle.
+/// A way out and straight back, or two corners in one place. It holds no area, unless the polygon is bent.
 bool Triangulator::is_spike(std::uint32_t v) const {
     const glm::dvec2 here(ring_[v].at);
     const glm::dvec2 to_previous = glm::dvec2(ring_[ring_[v].previous].at) - here;
@@ -206,12 +236,12 @@ bool Triangulator::is_ear(std::uint32_t v, Care care) {
 }
 
 /// The first ear of those who block only by touching it, else the first convex corner.
-bool Triangulator::force_one(std::uint32_t start, std::vector<std::uint32_t>& triangles) {
+bool Triangulator::force_one(std::uint32_t start) {
     for (const Care care : {Care::touching_allowed, Care::none}) {
         std::uint32_t v = start;
         do {
             if (is_ear(v, care)) {
-                clip(v, triangles);
+                clip(v);
                 return true;
             }
             v = ring_[v].next;

@@ -15,14 +15,16 @@ bool has_zero_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 /// Splits polygons into triangles. One object serves many polygons and keeps its memory between them.
 ///
 /// Ear clipping (Meisters 1975; Eberly, "Triangulation by Ear Clipping"), with the corners that can block an ear
-/// held in a tree over their z-order, so that the time stays near n log n (30,000 corners: a few hundredths of a
-/// second). Seen along the axis in which the polygon is widest open (Newell's normal), the triangles
+/// held in a tree over their z-order, so that the time stays near n log n (30,000 corners of a wild star: a quarter
+/// of a second). The polygon is seen along the axis in which it is widest open, or along its normal (Newell's) if it
+/// is bent. The triangles
 ///
 /// - cover a simple polygon exactly once; collinear, repeated and touching corners and bridges to holes included;
 /// - use every corner that is not a repetition, so that an edge shared with a neighbour is an edge of both;
 /// - keep the polygon's winding and are never of zero area.
 ///
-/// A polygon that crosses itself gets some triangles, without a promise of which.
+/// A polygon that crosses itself, or is bent so much that it does so as seen, gets some triangles, without a promise
+/// of which.
 class Triangulator {
 public:
     /// Appends corner numbers to `triangles`, three a triangle. All corners are finite. A polygon without area
@@ -54,10 +56,10 @@ private:
     };
     enum class Care { full, touching_allowed, none };
 
-    bool project(std::span<const glm::vec3> corners);
-    bool fan_from(std::uint32_t apex, std::vector<std::uint32_t>& triangles) const;
-    void fan_in_space(std::span<const glm::vec3> corners, std::vector<std::uint32_t>& triangles) const;
-    void clip_ears(std::span<const glm::vec3> corners, std::vector<std::uint32_t>& triangles);
+    bool project();
+    bool fan_from(std::uint32_t apex);
+    void fan_in_space(std::uint32_t apex);
+    void clip_ears();
     void plant_tree();
     void classify(std::uint32_t v);
     void set_blocks(std::uint32_t v, bool blocks);
@@ -68,10 +70,13 @@ private:
     bool is_ear(std::uint32_t v, Care care);
     bool is_blocked(std::uint32_t node, std::uint32_t v, Care care);
     bool blocks_ear(const Place& w, std::uint32_t v, Care care) const;
-    bool force_one(std::uint32_t start, std::vector<std::uint32_t>& triangles);
-    void clip(std::uint32_t v, std::vector<std::uint32_t>& triangles);
+    bool force_one(std::uint32_t start);
+    void clip(std::uint32_t v);
+    void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
+    std::span<const glm::vec3> corners_;               ///< of the polygon at work
+    std::vector<std::uint32_t>* triangles_ = nullptr;  ///< where its triangles go
     std::vector<Vertex> ring_;
     std::vector<Node> tree_;     ///< a heap: the children of i are 2i + 1 and 2i + 2
     std::vector<Place> places_;  ///< in z-order

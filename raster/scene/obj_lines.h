@@ -1,0 +1,54 @@
+// obj_lines.h: the statements of an OBJ or MTL file, one logical line after the other.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace raster::obj {
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Without blanks at both ends.
+std::string_view trimmed(std::string_view text);
+/// Takes the first word off `text`, and the blanks around it; empty when there is none.
+std::string_view next_word(std::string_view& text);
+
+/// Whether the bytes are text of two bytes a character, which no OBJ reader takes. By the byte-order mark, or by
+/// zero bytes at every other place.
+bool is_utf16(std::string_view bytes);
+
+/// Reads bytes as lines, so that what editors and systems put into files makes no difference: LF, CRLF and CR, a
+/// byte-order mark, blanks at the ends, a last line without end, a backslash that continues a line on the next.
+/// Empty lines and comments are left out; a comment cannot be continued (C:\textures\ at its end is common). Zero
+/// bytes become blanks. Takes linear time whatever the bytes are. `bytes` is not copied.
+class LineReader {
+public:
+    LineReader(std::string_view bytes, std::size_t max_line_bytes);
+
+    /// Goes to the next statement. False at the end, or at a line that is too long.
+    bool next();
+
+    std::string_view text() const { return text_; }  ///< not empty; valid until next() is called
+    std::size_t line() const { return line_; }       ///< where the statement starts, from 1
+    std::size_t position() const { return at_; }     ///< bytes read so far
+    bool is_too_long() const { return is_too_long_; }
+    std::size_t first_line_with_zeros() const { return first_line_with_zeros_; }  ///< 0: none so far
+
+private:
+    std::string_view take_physical_line();
+    std::size_t find(char c, std::size_t cached) const;
+
+    std::string_view bytes_;
+    std::size_t max_line_bytes_;
+    std::size_t at_ = 0;
+    std::size_t lines_taken_ = 0;
+    std::size_t next_lf_ = 0, next_cr_ = 0;  ///< where they stand, at or after at_
+    std::string_view text_;
+    std::string joined_;
+    std::size_t line_ = 0;
+    std::size_t first_line_with_zeros_ = 0;
+    bool is_too_long_ = false;
+};
+
+}  // namespace raster::obj

@@ -1,0 +1,37 @@
+// obj_tokens.h: the words of an OBJ or MTL statement as numbers.
+#pragma once
+
+#include <string_view>
+
+namespace raster::obj {
+
+/// The float nearest to a decimal number such as -1, +.5, 2. or 1.5e-3. A number too large gives infinity, one too
+/// small 0; anything else NaN, "nan" and "inf" included: what is not finite is no number.
+///
+/// tinyobjloader's own numbers are not used: it takes "nan" for 0 and 1e999 for a number, and rounds by way of the
+/// C library's pow, whose last bits differ between machines.
+float parse_number(std::string_view word);
+
+/// Up to 8 numbers from the words of a statement, and how many words there were.
+struct Numbers {
+    float value[8] = {};
+    int count = 0;
+    std::string_view first_bad;  ///< the first word that gave no finite number
+
+    bool finite() const { return first_bad.empty(); }
+};
+Numbers parse_numbers(std::string_view words);
+
+/// The parts of a face's corner: 7, 7/2, 7//3 or 7/2/3.
+struct CornerWord {
+    enum class Index { missing, good, bad };  ///< bad: no integer, 0, or beyond 31 bits
+    std::string_view part[3];                 ///< position, texture coordinate, normal
+    Index state[3] = {};
+    bool well_formed = false;  ///< at most three parts, the first not empty
+};
+CornerWord parse_corner(std::string_view word);
+
+/// A statement without the comment at its end, which starts with # after a blank.
+std::string_view without_comment(std::string_view text);
+
+}  // namespace raster::obj
