@@ -21,7 +21,7 @@ public:
 
     RASTER_FLATTEN DrawCounts run(std::size_t begin, std::size_t end) {
         bins_.pairs.clear();
-        bins_.pieces.clear();
+        bins_.large.clear();
         for (std::size_t i = begin; i < end; i += std::size_t(native_lanes)) bin_pack(i, end);
         sort_by_tile();
         return counts_;
@@ -65,6 +65,8 @@ private:
         const IntN x0 = max(box.first_x(), IntN(0)), y0 = max(box.first_y(), IntN(0));
         const IntN x1 = min(box.last_x(), IntN(draw_.width - 1)), y1 = min(box.last_y(), IntN(draw_.height - 1));
         std::uint32_t visible = kept & bitmask((x0 <= x1) & (y0 <= y1));
+        const std::uint32_t large =
+            visible & bitmask(((box.max_x - box.min_x) | (box.max_y - box.min_y)) >= IntN(tile_size * subpixels));
         const std::uint32_t dots = visible & bitmask(((x1 - x0) <= IntN(1)) & ((y1 - y0) <= IntN(1)));
         if (dots) visible &= ~(dots & nothing_covered(v, x0, y0, x1 - x0, y1 - y0));
         for (std::uint32_t rest = visible | slow; rest; rest &= rest - 1) {
@@ -72,6 +74,8 @@ private:
             const std::size_t triangle = start + std::size_t(lane);
             if (slow >> lane & 1) {
                 bin_slow(triangle);
+            } else if (large >> lane & 1) {
+                bin_large(draw_.corner_windows(bins_, std::uint32_t(triangle)), std::uint32_t(triangle), -1);
             } else {
                 emit({x0.v[lane], y0.v[lane], x1.v[lane], y1.v[lane]}, std::uint32_t(triangle));
             }
@@ -141,20 +145,27 @@ private:
     }
 
     void bin_piece(const std::array<WindowVertex<float>, 3>& window, int piece, std::uint32_t triangle, PieceFate& fate) {
-        std::array<SubpixelVertex<float>, 3> subpixel;
-        for (std::size_t c = 0; c < 3; ++c) subpixel[c] = snap(window[c]);
-        const std::int64_t area = signed_area(subpixel);
+        const std::int64_t area = signed_area({snap(window[0]), snap(window[1]), snap(window[2])});
         if (area == 0) return;
         if (is_culled(draw_.state.cull, is_front_facing(draw_.state.front_face, area))) {
             fate.any_culled = true;
             return;
         }
         fate.any_drawn = true;
-        const PixelBox box = bounding_pixels(subpixel, draw_.width, draw_.height);
-        if (box.empty()) return;
-        emit(box, clipped_bit | std::uint32_t(bins_.pieces.size()));
-        bins_.pieces.push_back({window, triangle});
-        clipper_.keep(piece);
+        if (bin_large(window, triangle, pieces_)) {
+            clipper_.keep(piece);
+            ++pieces_;
+        }
+    }
+
+    [[gnu::noinline]] bool bin_large(const std::array<WindowVertex<float>, 3>& window, std::uint32_t triangle, std::int32_t piece) {
+        const std::array<SubpixelVertex<float>, 3> subpixel{snap(window[0]), snap(window[1]), snap(window[2])};
+        const std::int64_t area = signed_area(subpixel);
+        const TriangleSetup setup = make_setup(window, subpixel, area, draw_.state.fill_rule, draw_.width, draw_.height);
+        if (setup.box.empty()) return false;
+        emit(setup.box, large_bit | std::uint32_t(bins_.large.size()));
+        bins_.large.push_back({window, setup, triangle, piece, is_front_facing(draw_.state.front_face, area)});
+        return true;
     }
 
     void emit(const PixelBox& box, std::uint32_t triangle) {
@@ -181,6 +192,7 @@ private:
     Clipper& clipper_;
     ChunkBins& bins_;
     DrawCounts counts_;
+    std::int32_t pieces_ = 0;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // bin.h: driver of stages 2 to 5: assemble, clip, cull, and note for each tile which triangles may touch it.
 //
 // Triangles are taken in chunks, each by one thread, and stay in submission order inside a chunk; tiles walk the chunks
-// in order. A bin holds numbers only: setting a triangle up again in each tile costs less than storing its setup.
+// in order. A bin holds numbers only: setting a small triangle up again in each tile costs less than storing its setup.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ namespace raster::tiles {
 inline constexpr int tile_bits = 6;
 inline constexpr int tile_size = 1 << tile_bits;
 
-/// Set in a bin's entry when the rest is the number of a ClippedPiece of its chunk.
-inline constexpr std::uint32_t clipped_bit = 1u << 31;
+/// Set in a bin's entry when the rest is the number of a LargeTriangle of its chunk, else the entry is a triangle's number.
+inline constexpr std::uint32_t large_bit = 1u << 31;
 
 /// One draw call as binning and rastering see it: positions, indices and state, and no shader. Vertices are those
 /// numbered first_vertex to first_vertex + window.size() - 1.
@@ -65,7 +65,7 @@ struct DrawContext {
 
     /// Positions of the three corners of a bin's entry.
     std::array<WindowVertex<float>, 3> corner_windows(const ChunkBins& bins, std::uint32_t entry) const {
-        if (entry & clipped_bit) return bins.pieces[entry & ~clipped_bit].window;
+        if (entry & large_bit) return bins.large[entry & ~large_bit].window;
         const auto v = corners(entry);
         return {window[v[0] - first_vertex], window[v[1] - first_vertex], window[v[2] - first_vertex]};
     }

@@ -26,13 +26,34 @@ public:
     void cell(int i, MaskN passed, FloatN px, FloatN py) { blend(i, passed, px, py, cell_width); }
     void row(int i, MaskN passed, FloatN px, FloatN py) { blend(i, passed, px, py, native_lanes); }
 
+    /// All pixels of a block.
+    RASTER_FLATTEN void block(int x, int y) {
+        make_planes();
+        const bool inside = tile_.x + x + block_size <= target_.width() && tile_.y + y + block_size <= target_.height();
+        for (int row = y; row < y + block_size; ++row)
+            for (int column = x; column < x + block_size; column += native_lanes) {
+                const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
+                if (!inside || target_.color_format() != ColorFormat::rgba8 || output_count<S> > 4) {
+                    blend(row * tile_size + column, MaskN(true), px, py, native_lanes);
+                    continue;
+                }
+                const auto out = shade_pixels<S, FloatN>(context_.shader, planes_, px, py);
+                std::uint32_t* to = target_.raw_color8() + target_.index(tile_.x + column, tile_.y + row);
+                const IntN packed = pack_rgba8(vec<4, FloatN>(out[0], out[1], out[2], out[3]));
+                store_int(to, blend_rgba8(blend_, packed, load_int<FloatN>(to)));
+            }
+    }
+
 private:
+    void make_planes() {
+        if (ready_) return;
+        planes_ = make_shading_planes(context_, current());
+        ready_ = true;
+    }
+
     /// Lanes run along rows of `width` pixels, the first at tile pixel i.
-    RASTER_FLATTEN void blend(int i, MaskN passed, FloatN px, FloatN py, int width) {
-        if (!ready_) {
-            planes_ = make_shading_planes(context_, current());
-            ready_ = true;
-        }
+    [[gnu::noinline]] RASTER_FLATTEN void blend(int i, MaskN passed, FloatN px, FloatN py, int width) {
+        make_planes();
         OutputArray<S, FloatN> out = shade_pixels<S, FloatN>(context_.shader, planes_, px, py);
         const int x = tile_.x + i % tile_size, y = tile_.y + i / tile_size;
         for (int lane = 0; lane < native_lanes; lane += width) {

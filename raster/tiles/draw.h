@@ -93,7 +93,8 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
         }
     }
     raster_opaque(draw, context.chunks, tile_index, tile, target.depth_format(), HasFragment<S> && draw.state.color_write);
-    TileResolve<S>(context, tile, target).run();
+    thread_local std::vector<ShadingPlanes<S>> planes;
+    TileResolve<S>(context, tile, target, planes).run();
 }
 
 /// raster::draw without an observer.

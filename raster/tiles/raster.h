@@ -186,7 +186,7 @@ private:
             tile_.whole_range = merged(depth_.compare, incoming, tile_.whole_range);
             tile_.block_slot[block] = sink_.slot();
             tile_.uniform |= std::uint64_t(1) << block;
-            if (!Sink::remembers) shade_block(x, y);
+            if constexpr (!Sink::remembers) sink_.block(x, y);
             return;
         }
         touch(block, incoming);
@@ -212,14 +212,6 @@ private:
             }
     }
 
-    /// All pixels of a block, for a sink that shades at once.
-    void shade_block(int x, int y) {
-        for (int row = y; row < y + block_size; ++row)
-            for (int column = x; column < x + block_size; column += native_lanes)
-                sink_.row(row * tile_size + column, MaskN(true), to_float(IntN(tile_.x + column) + lane_index<FloatN>()),
-                          FloatN(float(tile_.y + row)));
-    }
-
     TileBuffer& tile_;
     const Depth& depth_;
     Sink& sink_;
@@ -236,28 +228,30 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
         for (; entry < end; entry += native_lanes) {
             const int count = int(std::min<std::ptrdiff_t>(end - entry, native_lanes));
             std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
-            std::uint32_t clipped = 0;
+            std::uint32_t large = 0;
             for (int lane = 0; lane < count; ++lane) {
-                if (entry[lane] & clipped_bit) {
-                    clipped |= 1u << lane;
+                if (entry[lane] & large_bit) {
+                    large |= 1u << lane;
                 } else {
                     const auto v = draw.corners(entry[lane]);
                     for (std::size_t k = 0; k < 3; ++k) places[k].v[lane] = std::int32_t(v[k] - draw.first_vertex);
                 }
             }
-            const PackSetup pack = set_up_pack(&draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y,
-                                               draw.width, draw.height);
+            PackSetup pack;
+            if (large != (1u << count) - 1)
+                pack = set_up_pack(&draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
             for (int lane = 0; lane < count; ++lane) {
-                if ((pack.dots & ~(pack.wide | clipped)) >> lane & 1) {
+                if (large >> lane & 1) {
+                    TileTriangle t = place_large(chunks[c].large[entry[lane] & ~large_bit], depth.format, tile.x, tile.y);
+                    t.entry = entry[lane];
+                    raster.draw(t, c);
+                } else if (pack.dots >> lane & 1) {
                     raster.draw_dots(pack, lane, entry[lane], c);
-                    continue;
+                } else {
+                    TileTriangle t = pack.at(lane);
+                    t.entry = entry[lane];
+                    raster.draw(t, c);
                 }
-                TileTriangle t = (pack.wide | clipped) >> lane & 1
-                                     ? set_up_one(draw.corner_windows(chunks[c], entry[lane]), draw.state, depth.format,
-                                                  tile.x, tile.y, draw.width, draw.height)
-                                     : pack.at(lane);
-                t.entry = entry[lane];
-                raster.draw(t, c);
             }
         }
     }

@@ -55,8 +55,9 @@ inline void write_outputs(Target& target, RowPlace place, MaskN passed, const Ou
 template <Shader S>
 class TileResolve {
 public:
-    TileResolve(const ShadingContext<S>& context, TileBuffer& tile, Target& target)
-        : context_(context), state_(context.draw.state), tile_(tile), target_(target) {}
+    /// `planes` is memory to be used again for the next tile.
+    TileResolve(const ShadingContext<S>& context, TileBuffer& tile, Target& target, std::vector<ShadingPlanes<S>>& planes)
+        : context_(context), state_(context.draw.state), tile_(tile), target_(target), planes_(planes) {}
 
     void run() {
         if (tile_.whole && tile_.whole_slot == 0) {
@@ -64,7 +65,7 @@ public:
             return;
         }
         if (tile_.whole) split_tile(tile_);
-        planes_.resize(tile_.slots.size());
+        if (planes_.size() < tile_.slots.size()) planes_.resize(tile_.slots.size());
         ready_.assign(tile_.slots.size(), 0);
         columns_ = std::min(tile_size, target_.width() - tile_.x);
         rows_ = std::min(tile_size, target_.height() - tile_.y);
@@ -153,7 +154,7 @@ private:
     const State& state_;
     TileBuffer& tile_;
     Target& target_;
-    std::vector<ShadingPlanes<S>> planes_;
+    std::vector<ShadingPlanes<S>>& planes_;
     std::vector<char> ready_;
     int columns_ = 0, rows_ = 0;
 };

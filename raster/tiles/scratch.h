@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <raster/stages/project.h>
+#include <raster/stages/setup.h>
 
 namespace raster::tiles {
 
@@ -35,10 +35,13 @@ struct BinPair {
     std::uint32_t tile, triangle;
 };
 
-/// One triangle of a clipped triangle's fan, ready for setup, and the number of the triangle it came from.
-struct ClippedPiece {
+/// A triangle that is set up when it is binned: one larger than a tile, or a piece of a clipped one.
+struct LargeTriangle {
     std::array<WindowVertex<float>, 3> window;
-    std::uint32_t triangle;
+    TriangleSetup setup;
+    std::uint32_t triangle;   ///< its number in the draw
+    std::int32_t piece;       ///< its place among the chunk's clipped pieces, -1 for a whole triangle
+    bool front_facing;
 };
 
 /// The triangles of one chunk, sorted by tile: tile t's are entries[offsets[t]] to entries[offsets[t + 1]], in
@@ -47,7 +50,7 @@ struct ChunkBins {
     std::vector<BinPair> pairs;
     std::vector<std::uint32_t> offsets;
     std::vector<std::uint32_t> entries;
-    std::vector<ClippedPiece> pieces;
+    std::vector<LargeTriangle> large;
 };
 
 /// What a draw needs between its phases.

@@ -26,16 +26,12 @@ struct TileTriangle {
     bool covers_tile;    ///< no edge crosses the tile
 };
 
-/// Any triangle, one at a time, from exact 64-bit edges.
-inline TileTriangle set_up_one(const std::array<WindowVertex<float>, 3>& window, const State& state, DepthFormat format,
-                               int tile_x, int tile_y, int width, int height) {
-    std::array<SubpixelVertex<float>, 3> subpixel;
-    for (std::size_t c = 0; c < 3; ++c) subpixel[c] = snap(window[c]);
-    const std::int64_t area = signed_area(subpixel);
-    const TriangleSetup setup = make_setup(window, subpixel, area, state.fill_rule, width, height);
+/// A large triangle in a tile, from exact 64-bit edges.
+inline TileTriangle place_large(const LargeTriangle& large, DepthFormat format, int tile_x, int tile_y) {
+    const TriangleSetup& setup = large.setup;
     TileTriangle t;
     t.depth = setup.depth;
-    t.front_facing = is_front_facing(state.front_face, area);
+    t.front_facing = large.front_facing;
     t.covers_tile = true;
     t.x0 = std::max(setup.box.min_x - tile_x, 0), t.x1 = std::min(setup.box.max_x - tile_x, tile_size - 1);
     t.y0 = std::max(setup.box.min_y - tile_y, 0), t.y1 = std::min(setup.box.max_y - tile_y, tile_size - 1);
@@ -58,10 +54,10 @@ inline TileTriangle set_up_one(const std::array<WindowVertex<float>, 3>& window,
     return t;
 }
 
-/// lanes<FloatN> triangles, each no larger than a tile, set up at once: the stage functions of set_up_one over lanes, with
-/// positions measured from the tile so that 32 bits suffice.
+/// lanes<FloatN> triangles, each no larger than a tile, set up at once: the same stage functions over lanes, with positions
+/// measured from the tile so that 32 bits suffice: steps are below 2^14 and positions below 2^15, so that the sum of two
+/// products is below 2^31.
 struct PackSetup {
-    std::uint32_t wide;  ///< lanes that exceed the tile's size: left to set_up_one
     std::uint32_t dots;  ///< lanes that touch at most 2 x 2 pixel centres; `covered` and `dot_depth` are theirs
     std::uint32_t front_facing;
     IntN x0, y0, x1, y1;
@@ -97,8 +93,6 @@ inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& pl
         s[c].y = s[c].y - IntN(tile_y * subpixels);
     }
     const SubpixelBox<FloatN> box = bounding_box(s);
-    // Up to the tile's size, steps are below 2^14 and positions below 2^15, so products sum up below 2^31.
-    r.wide = bitmask(((box.max_x - box.min_x) | (box.max_y - box.min_y)) >= IntN(tile_size * subpixels));
     const MaskN clockwise = order_corners(v, s);
     r.front_facing = state.front_face == FrontFace::clockwise ? bitmask(clockwise) : ~bitmask(clockwise);
     for (std::size_t i = 0; i < 3; ++i) {

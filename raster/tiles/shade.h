@@ -32,14 +32,15 @@ template <Shader S>
 inline ShadingPlanes<S> make_shading_planes(const ShadingContext<S>& context, const Slot& slot) {
     const DrawContext& draw = context.draw;
     const ChunkBins& bins = context.chunks[slot.chunk];
-    const bool clipped = slot.entry & clipped_bit;
-    const std::uint32_t piece = slot.entry & ~clipped_bit;
+    const LargeTriangle* large = slot.entry & large_bit ? &bins.large[slot.entry & ~large_bit] : nullptr;
+    const std::uint32_t triangle = large ? large->triangle : slot.entry;
     const auto window = draw.corner_windows(bins, slot.entry);
     std::array<const VaryingArray<S>*, 3> varyings;
-    if (clipped) {
-        for (std::size_t c = 0; c < 3; ++c) varyings[c] = &context.piece_varyings[slot.chunk][piece][c];
+    if (large && large->piece >= 0) {
+        for (std::size_t c = 0; c < 3; ++c)
+            varyings[c] = &context.piece_varyings[slot.chunk][std::size_t(large->piece)][c];
     } else {
-        const auto corners = draw.corners(slot.entry);
+        const auto corners = draw.corners(triangle);
         for (std::size_t c = 0; c < 3; ++c) varyings[c] = &context.varyings[corners[c] - draw.first_vertex];
     }
     const bool counter_clockwise = slot.front_facing == (draw.state.front_face == FrontFace::counter_clockwise);
@@ -48,7 +49,7 @@ inline ShadingPlanes<S> make_shading_planes(const ShadingContext<S>& context, co
     const PlaneBasis<float> basis = make_plane_basis(window[at(0)], window[at(1)], window[at(2)]);
     return {make_varying_planes<S, float>(basis, {varyings[at(0)], varyings[at(1)], varyings[at(2)]},
                                           {window[at(0)].oow, window[at(1)].oow, window[at(2)].oow}),
-            slot.depth, std::int32_t(clipped ? bins.pieces[piece].triangle : slot.entry), slot.front_facing};
+            slot.depth, std::int32_t(triangle), slot.front_facing};
 }
 
 /// The outputs of the pixels (px, py), one in each lane.
