@@ -1,0 +1,22 @@
+// png.h: PNG files out of images, by stb_image_write for 8 bits and a small writer of our own for 16.
+#pragma once
+
+#include <string>
+
+#include <raster/image/file.h>
+#include <raster/image/image.h>
+
+namespace raster {
+
+/// A PNG file (https://www.w3.org/TR/png/) of 1 to 4 channels: grey, grey and alpha, RGB, RGBA. Samples are
+/// stored as given: no alpha is added, dropped or multiplied, no gamma applied, and no colour space named, so
+/// viewers will take them for sRGB. The same samples give the same bytes (under one version of libdeflate).
+/// Errors: usage for an image that is empty, inconsistent or above the default ImageLimits.
+Result<Bytes> encode_png(const Image8& image);
+Result<Bytes> encode_png(const Image16& image);
+
+/// encode_png, then write_file.
+Status write_png(const std::string& path, const Image8& image);
+Status write_png(const std::string& path, const Image16& image);
+
+}  // namespace raster
