@@ -18,23 +18,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "image_testing.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 using raster::Bytes;
 using raster::ErrorKind;
-using testing::HasSubstr;
-
-Bytes bytes_of(const std::string& text) {
-    Bytes bytes(text.size());
-    std::transform(text.begin(), text.end(), bytes.begin(), [](char c) { return std::byte(c); });
-    return bytes;
-}
-
-std::string content(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+using raster::testing::bytes_of;
+using raster::testing::content;
+using ::testing::HasSubstr;
 
 /// Runs `body` in a child process and gives the status of waitpid; the body's value is the exit code.
 int in_child(const std::function<int()>& body) {
@@ -50,24 +43,7 @@ void become_nobody() {
     if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(99);
 }
 
-class File : public testing::Test {
-protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "raster-file-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder = name;
-        fs::permissions(folder, fs::perms(0755));
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
-    std::string in_folder(const std::string& name) const { return folder + "/" + name; }
-    /// Files in the folder, temporaries that were left behind included.
-    std::size_t file_count() const {
-        return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}));
-    }
-
-    std::string folder;
-};
+class File : public raster::testing::InFolder {};
 
 TEST_F(File, WhatIsWrittenIsRead) {
     const Bytes bytes = bytes_of(std::string("line\r\n\0\xff", 8));
