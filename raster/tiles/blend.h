@@ -29,18 +29,26 @@ public:
     /// All pixels of a block.
     RASTER_FLATTEN void block(int x, int y) {
         make_planes();
+        // Copies, so that the compiler sees that stores to the target do not change them.
+        const ShadingPlanes<S> planes = planes_;
+        const S shader = context_.shader;
+        const Blend mode = blend_;
         const bool inside = tile_.x + x + block_size <= target_.width() && tile_.y + y + block_size <= target_.height();
+        const bool simple = inside && target_.color_format() == ColorFormat::rgba8 && output_count<S> == 4;
+        std::uint32_t* const color = target_.raw_color8();
+        const std::size_t first = target_.index(tile_.x, tile_.y), pitch = std::size_t(target_.width());
+        const int tile_x = tile_.x, tile_y = tile_.y;
         for (int row = y; row < y + block_size; ++row)
             for (int column = x; column < x + block_size; column += native_lanes) {
-                const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
-                if (!inside || target_.color_format() != ColorFormat::rgba8 || output_count<S> > 4) {
+                const FloatN px = to_float(IntN(tile_x + column) + lane_index<FloatN>()), py(float(tile_y + row));
+                if (!simple) {
                     blend(row * tile_size + column, MaskN(true), px, py, native_lanes);
                     continue;
                 }
-                const auto out = shade_pixels<S, FloatN>(context_.shader, planes_, px, py);
-                std::uint32_t* to = target_.raw_color8() + target_.index(tile_.x + column, tile_.y + row);
+                const auto out = shade_pixels<S, FloatN>(shader, planes, px, py);
+                std::uint32_t* to = color + first + std::size_t(row) * pitch + std::size_t(column);
                 const IntN packed = pack_rgba8(vec<4, FloatN>(out[0], out[1], out[2], out[3]));
-                store_int(to, blend_rgba8(blend_, packed, load_int<FloatN>(to)));
+                store_int(to, blend_rgba8(mode, packed, load_int<FloatN>(to)));
             }
     }
 

@@ -28,13 +28,22 @@ inline void store_lanes(std::uint32_t* to, IntN v, MaskN passed, int count) {
     }
 }
 
+/// Where a target's planes are. Held in a local variable, it need not be read again after each store.
+struct TargetPlanes {
+    Target& target;
+    const bool is_rgba8 = target.color_format() == ColorFormat::rgba8;
+    std::uint32_t* const color8 = target.raw_color8();
+    std::uint32_t* const depth = target.raw_depth_bits();
+};
+
 /// Writes a fragment pack's colour and extra values to the target.
 template <HasFragment S>
-inline void write_outputs(Target& target, RowPlace place, MaskN passed, const OutputArray<S, FloatN>& out) {
+inline void write_outputs(const TargetPlanes& to, RowPlace place, MaskN passed, const OutputArray<S, FloatN>& out) {
     const vec<4, FloatN> color(out[0], out[1], out[2], out[3]);
     const std::uint32_t lanes_passed = bitmask(passed) & ((1u << place.count) - 1);
-    if (target.color_format() == ColorFormat::rgba8) {
-        store_lanes(target.raw_color8() + place.index, pack_rgba8(color), passed, place.count);
+    Target& target = to.target;
+    if (to.is_rgba8) {
+        store_lanes(to.color8 + place.index, pack_rgba8(color), passed, place.count);
     } else {
         for (std::uint32_t rest = lanes_passed; rest; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
@@ -103,16 +112,19 @@ private:
     RASTER_FLATTEN void resolve_uniform(int x, int y, std::int32_t slot) {
         const DepthFormat format = target_.depth_format();
         if (tile_.cleared && !fills_all_planes()) clear_block(x, y);
-        const ShadingPlanes<S>& p = planes(slot);
+        const TargetPlanes target{target_};
+        // Copies, so that the compiler sees that stores to the target do not change them.
+        const ShadingPlanes<S> p = planes(slot);
+        const S shader = context_.shader;
         for (int row = y; row < std::min(y + block_size, rows_); ++row)
             for (int column = x; column < std::min(x + block_size, columns_); column += native_lanes) {
                 const RowPlace to = place(column, row);
-                store_lanes(target_.raw_depth_bits() + to.index, depth_row(format, p.depth, tile_.x + column, tile_.y + row),
+                store_lanes(target.depth + to.index, depth_row(format, p.depth, tile_.x + column, tile_.y + row),
                             MaskN(true), to.count);
                 if constexpr (HasFragment<S>) {
                     if (!state_.color_write) continue;
                     const FloatN px = to_float(IntN(tile_.x + column) + lane_index<FloatN>()), py(float(tile_.y + row));
-                    write_outputs<S>(target_, to, MaskN(true), shade_pixels<S, FloatN>(context_.shader, p, px, py));
+                    write_outputs<S>(target, to, MaskN(true), shade_pixels<S, FloatN>(shader, p, px, py));
                 }
             }
     }
@@ -120,12 +132,14 @@ private:
     /// A block of several triangles, or of some and what was there before.
     RASTER_FLATTEN void resolve_mixed(int x, int y) {
         if (tile_.cleared) clear_block(x, y);
+        const TargetPlanes target{target_};
+        const S shader = context_.shader;
         for (int row = y; row < std::min(y + block_size, rows_); ++row)
             for (int column = x; column < std::min(x + block_size, columns_); column += native_lanes) {
                 const int i = row * tile_size + column;
                 const RowPlace to = place(column, row);
                 if (state_.depth_write || tile_.cleared)
-                    store_lanes(target_.raw_depth_bits() + to.index, load_int<FloatN>(tile_.depth + i), MaskN(true), to.count);
+                    store_lanes(target.depth + to.index, load_int<FloatN>(tile_.depth + i), MaskN(true), to.count);
                 if constexpr (HasFragment<S>) {
                     if (!state_.color_write) continue;
                     const IntN slots = load_int<FloatN>(tile_.slot + i);
@@ -135,7 +149,7 @@ private:
                         const std::int32_t slot = tile_.slot[i + std::countr_zero(rest)];
                         const MaskN mine = slots == IntN(slot);
                         rest &= ~bitmask(mine);
-                        write_outputs<S>(target_, to, mine, shade_pixels<S, FloatN>(context_.shader, planes(slot), px, py));
+                        write_outputs<S>(target, to, mine, shade_pixels<S, FloatN>(shader, planes(slot), px, py));
                     }
                 }
             }
