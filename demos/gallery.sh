@@ -1,5 +1,7 @@
-# gallery.sh: pictures of real models, into out/. Sourced by run.sh, which sets preset.
-raster=$(find "build/$preset" -name raster -type f -perm -u+x | head -n 1)
+# gallery.sh: pictures of models, into out/. Sourced by run.sh, which sets march.
+install_packages "${build_packages[@]}" "${model_packages[@]}"
+configure_and_build demo -DRASTER_MARCH="$march"
+raster=build/demo/raster/tool/raster
 mkdir -p out
 
 # render NAME MODEL [OPTION...]

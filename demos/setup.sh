@@ -6,6 +6,8 @@ build_packages=(cmake ninja-build g++ pkg-config
 model_packages=(glmark2-data assimp-testmodels)
 test_packages=(libgtest-dev libgmock-dev doxygen clang libclang-rt-14-dev libosmesa6-dev embree-tools)
 
+bench_packages=(libosmesa6-dev nlohmann-json3-dev)
+
 # install_packages NAME...: installs those that are missing; says so; does nothing when all are there.
 install_packages() {
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
