@@ -75,8 +75,9 @@ private:
         shaded_.resize(mesh_.vertices.size());
         for (std::size_t i = 0; i < shaded_.size(); ++i) {
             shaded_[i] = shade_vertex<S, float>(shader_, mesh_.vertices[i]);
+            std::array<float, std::size_t(attribute_count<S>)> attributes;  // outlives the event, which only refers to it
             notify<VertexEvent>(observer_, [&] {
-                const auto attributes = std::bit_cast<std::array<float, std::size_t(attribute_count<S>)>>(mesh_.vertices[i]);
+                attributes = std::bit_cast<decltype(attributes)>(mesh_.vertices[i]);
                 return VertexEvent{std::uint32_t(i), attributes, shaded_[i].clip, shaded_[i].varyings};
             });
         }
