@@ -92,9 +92,15 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
             return;
         }
     }
-    raster_opaque(draw, context.chunks, tile_index, tile, target.depth_format(), HasFragment<S> && draw.state.color_write);
-    thread_local std::vector<ShadingPlanes<S>> planes;
-    TileResolve<S>(context, tile, target, planes).run();
+    const bool colors = HasFragment<S> && draw.state.color_write;
+    raster_opaque(draw, context.chunks, tile_index, tile, target.depth_format(), colors);
+    if constexpr (HasFragment<S>) {
+        resolve_depth(tile, target, draw.state.depth_write, colors && output_count<S> - 4 >= target.extra_channels());
+        thread_local std::vector<ShadingPlanes<S>> planes;
+        if (colors) resolve_color(context, tile, target, planes);
+    } else {
+        resolve_depth(tile, target, draw.state.depth_write, false);
+    }
 }
 
 /// raster::draw without an observer.

@@ -13,17 +13,18 @@ public:
 
     using SlotMaker::SlotMaker;
 
-    void cell(int i, MaskN passed, FloatN, FloatN) {
+    void cell(int i, MaskN passed) {
         if constexpr (colors)
             store_cell(tile_.slot + i, select(passed, IntN(slot()), load_cell<native_lanes>(tile_.slot + i)));
     }
-    void row(int i, MaskN passed, FloatN, FloatN) {
+    void row(int i, MaskN passed) {
         if constexpr (colors)
             store_int(tile_.slot + i, select(passed, IntN(slot()), load_int<FloatN>(tile_.slot + i)));
     }
-    void pixel(int i, float, float) {
+    void pixel(int i) {
         if constexpr (colors) tile_.slot[i] = slot();
     }
+    void end() {}
 };
 
 template <class Depth, bool colors>

@@ -75,6 +75,7 @@ public:
             for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
                 for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) draw_block(t, bx, by);
         }
+        sink_.end();
     }
 
     /// A lane of a pack whose pixels are few and already known: take them one by one.
@@ -100,8 +101,9 @@ public:
             }
             note_write(block, incoming);
             if (depth_.write) tile_.depth[i] = depth;
-            sink_.pixel(i, float(tile_.x + x), float(tile_.y + y));
+            sink_.pixel(i);
         }
+        if (begun) sink_.end();
     }
 
 private:
@@ -140,7 +142,7 @@ private:
                     const MaskN passed = covered & depth_passes(depth_.compare, incoming_depth, stored);
                     if (any(passed)) {
                         if (depth_.write) store_cell(tile_.depth + i, select(passed, incoming_depth, stored));
-                        sink_.cell(i, passed, px, py);
+                        sink_.cell(i, passed);
                     }
                 }
                 for (std::size_t k = 0; k < 3; ++k) e[k] = e[k] + IntN(cell_width * t.edges[k].step_x);
@@ -208,7 +210,7 @@ private:
                 passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
                 if (!any(passed)) continue;
                 if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-                sink_.row(i, passed, fx, fy);
+                sink_.row(i, passed);
             }
     }
 

@@ -1,9 +1,13 @@
-// shade.h: driver of stages 9 and 10: interpolate and shade a pack of pixels of one triangle.
+// shade.h: driver of stages 9 to 11: interpolate, shade and blend pixels of one triangle.
 #pragma once
 
+#include <bit>
+
+#include <raster/stages/blend.h>
 #include <raster/stages/fragment.h>
 #include <raster/stages/interpolate.h>
 #include <raster/tiles/bin.h>
+#include <raster/tiles/tile.h>
 #include <raster/tiles/vertices.h>
 
 namespace raster::tiles {
@@ -65,6 +69,56 @@ inline OutputArray<S, F> shade_pixels(const S& shader, const ShadingPlanes<S>& p
                               Mask<F>(p.front_facing),
                               Int<F>(p.triangle)};
     return shade_fragment<S, F>(shader, interpolate<S, F>(planes, px, py), at);
+}
+
+/// One pack of outputs blended into the target: lane i into the pixel `index` + i, where bit i of `bits` is set.
+template <HasFragment S>
+inline void write_outputs(Target& target, std::size_t index, std::uint32_t bits, Blend blend, const OutputArray<S, FloatN>& out) {
+    const vec<4, FloatN> color(out[0], out[1], out[2], out[3]);
+    constexpr std::uint32_t full = (1u << native_lanes) - 1;
+    if (target.color_format() == ColorFormat::rgba8) {
+        std::uint32_t* const to = target.raw_color8() + index;
+        const IntN packed = pack_rgba8(color);
+        if (bits == full) {
+            store_int(to, blend_rgba8(blend, packed, load_int<FloatN>(to)));
+        } else {
+            for (std::uint32_t rest = bits; rest; rest &= rest - 1) {
+                const int lane = std::countr_zero(rest);
+                to[lane] = blend_rgba8(blend, std::uint32_t(packed.v[lane]), to[lane]);
+            }
+        }
+    } else {
+        glm::vec4* const to = target.raw_color_float() + index;
+        for (std::uint32_t rest = bits; rest; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            to[lane] = blend_float(blend, glm::vec4(color.x.v[lane], color.y.v[lane], color.z.v[lane], color.w.v[lane]), to[lane]);
+        }
+    }
+    if constexpr (output_count<S> > 4)
+        for (int e = 0; e < std::min(output_count<S> - 4, target.extra_channels()); ++e)
+            for (std::uint32_t rest = bits; rest; rest &= rest - 1) {
+                const int lane = std::countr_zero(rest);
+                target.raw_extra(e)[index + std::size_t(lane)] = out[std::size_t(4 + e)].v[lane];
+            }
+}
+
+/// Shades pixels of one triangle in the 8 x 8 block that begins at pixel (x, y) of the target: bit 8 r + c of `mask` is the
+/// pixel in row r and column c, and is set for pixels of the target only. The one place where a draw runs its shader's
+/// fragment function.
+template <HasFragment S>
+RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, Blend blend, int x, int y,
+                                std::uint64_t mask) {
+    // Copies, so that the compiler sees that stores to the target change neither.
+    const S shader = shader_in;
+    const ShadingPlanes<S> planes = planes_in;
+    for (std::uint64_t rest = mask; rest;) {
+        const int first = std::countr_zero(rest) / native_lanes * native_lanes;
+        const std::uint32_t bits = std::uint32_t(mask >> first) & ((1u << native_lanes) - 1);
+        rest &= ~(std::uint64_t(bits) << first);
+        const int column = x + first % block_size, row = y + first / block_size;
+        const FloatN px = to_float(IntN(column) + lane_index<FloatN>()), py = float(row);
+        write_outputs<S>(target, target.index(column, row), bits, blend, shade_pixels<S, FloatN>(shader, planes, px, py));
+    }
 }
 
 }  // namespace raster::tiles

@@ -57,9 +57,9 @@ inline void store_cell(std::int32_t* p, IntPack<N> v) {
 inline IntN cell_x() { return lane_index<FloatN>() & IntN(cell_width - 1); }
 inline IntN cell_y() { return lane_index<FloatN>() >> 2; }
 
-inline int first_pixel_of_block(int block) {
-    return (block / blocks_per_row) * block_size * tile_size + (block % blocks_per_row) * block_size;
-}
+inline int block_x(int block) { return block % blocks_per_row * block_size; }
+inline int block_y(int block) { return block / blocks_per_row * block_size; }
+inline int first_pixel_of_block(int block) { return block_y(block) * tile_size + block_x(block); }
 
 /// The encoded depths of lanes<FloatN> pixels in a row that begins at absolute pixel (x, y).
 inline IntN depth_row(DepthFormat format, const Plane<float>& plane, int x, int y) {
