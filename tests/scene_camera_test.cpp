@@ -1,6 +1,7 @@
 // scene_camera_test.cpp: matrices against their definitions, cameras that frame boxes, and every bad camera
 // refused.
 #include <raster/scene/camera.h>
+#include <raster/scene/shapes.h>
 #include <raster/scene/transform.h>
 
 #include <array>
@@ -202,6 +203,24 @@ TEST(Camera, AutoFrameOfAnyBoxIsValid) {
                 const auto m = camera_matrices(auto_frame(box, aspect, {0, 1, 0}, angle), aspect);
                 EXPECT_TRUE(m) << m.error().message << " for a box from " << box.min.x << ", " << box.min.y;
             }
+}
+
+TEST(Camera, AutoFrameOfAModelFillsNineTenthsWithItsVertices) {
+    for (const Model& model : {sphere(), teapot(3), tetrahedron(), plane(1)}) {
+        for (double aspect : {0.5, 1.0, 2.0}) {
+            const auto m = camera_matrices(auto_frame(model, aspect), aspect);
+            ASSERT_TRUE(m);
+            double widest = 0;
+            for (std::uint32_t i : model.indices) {
+                const glm::dvec4 clip = apply(m->clip_from_world, model.vertices[i].position);
+                widest = std::fmax(widest, std::fmax(std::fabs(clip.x), std::fabs(clip.y)) / clip.w);
+                EXPECT_LT(std::fabs(clip.z), clip.w);
+            }
+            EXPECT_NEAR(widest, 0.9, 1e-5);
+        }
+    }
+    EXPECT_TRUE(camera_matrices(auto_frame(Model{}, 1), 1)) << "of nothing too";
+    EXPECT_TRUE(camera_matrices(auto_frame(box({2, 2, 2}, {2, 2, 2}), 1), 1)) << "and of a point";
 }
 
 TEST(Camera, PlanesEncloseTheBoxFromAnyPosition) {

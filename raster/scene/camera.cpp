@@ -71,13 +71,15 @@ Status check_lens(const Camera& camera, double aspect) {
     return Done{};
 }
 
+glm::dvec3 limited(const glm::vec3& p) {
+    glm::dvec3 r;
+    for (int i = 0; i < 3; ++i) r[i] = std::isnan(p[i]) ? 0 : std::clamp(double(p[i]), -1e25, 1e25);
+    return r;
+}
+
 /// The corners of a box, made drawable as auto_frame promises.
 std::array<glm::dvec3, 8> corners_of(const Box& box) {
-    glm::dvec3 low, high;
-    for (int i = 0; i < 3; ++i) {
-        low[i] = std::isnan(box.min[i]) ? 0 : std::clamp(double(box.min[i]), -1e25, 1e25);
-        high[i] = std::isnan(box.max[i]) ? 0 : std::clamp(double(box.max[i]), -1e25, 1e25);
-    }
+    glm::dvec3 low = limited(box.min), high = limited(box.max);
     const bool empty = low.x > high.x || low.y > high.y || low.z > high.z;
     if (empty) low = high = glm::dvec3(0.0);
     if (low == high) {
@@ -92,6 +94,49 @@ std::array<glm::dvec3, 8> corners_of(const Box& box) {
         corners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
     return corners;
 }
+
+/// Finds the least distance from which all points are within 90 % of the picture.
+class Framing {
+public:
+    Framing(const Box& box, double aspect, const glm::vec3& up, double view_angle) {
+        const auto corners = corners_of(box);
+        centre_ = (corners[0] + corners[7]) * 0.5;
+        const glm::dvec3 above = glm::normalize(glm::dvec3(up));
+        // The model's right-hand side is x, unless x is (nearly) up itself.
+        const glm::dvec3 x = std::abs(above.x) > 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+        const glm::dvec3 front = glm::normalize(glm::cross(x, above));
+        const glm::dvec3 side = glm::cross(above, front);
+        const auto [sin_turn, cos_turn] = sin_cos_degrees(30);
+        const auto [sin_raise, cos_raise] = sin_cos_degrees(20);
+        toward_eye_ = (front * cos_turn + side * sin_turn) * cos_raise + above * sin_raise;
+        right_ = glm::normalize(glm::cross(above, toward_eye_));
+        upward_ = glm::cross(toward_eye_, right_);
+        half_height_ = 0.9 * tan_degrees(view_angle / 2);
+        half_width_ = half_height_ * aspect;
+    }
+
+    void include(const glm::dvec3& point) {
+        // A point at (x, y, z) from the centre, in eye axes, is seen at |x| / (distance - z) of the tangent
+        // of half the angle: each gives a least distance, and the largest of them holds for all.
+        const glm::dvec3 p = point - centre_;
+        const double z = glm::dot(p, toward_eye_);
+        distance_ = std::max(distance_, z + std::abs(glm::dot(p, right_)) / half_width_);
+        distance_ = std::max(distance_, z + std::abs(glm::dot(p, upward_)) / half_height_);
+    }
+
+    Camera camera(const glm::vec3& up, float view_angle) const {
+        Camera camera;
+        camera.focal_point = glm::vec3(centre_);
+        camera.position = glm::vec3(centre_ + toward_eye_ * distance_);
+        camera.up = up;
+        camera.view_angle = view_angle;
+        return camera;
+    }
+
+private:
+    glm::dvec3 centre_, toward_eye_, right_, upward_;
+    double half_width_, half_height_, distance_ = 0;
+};
 
 }  // namespace
 
@@ -113,37 +158,18 @@ Result<CameraMatrices> camera_matrices(const Camera& camera, double aspect) {
 }
 
 Camera auto_frame(const Box& box, double aspect, const glm::vec3& up, float view_angle) {
-    const glm::dvec3 above = glm::normalize(glm::dvec3(up));
-    // The model's right-hand side is x, unless x is (nearly) up itself.
-    const glm::dvec3 x = std::abs(above.x) > 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 front = glm::normalize(glm::cross(x, above));
-    const glm::dvec3 side = glm::cross(above, front);
-    const auto [sin_turn, cos_turn] = sin_cos_degrees(30);
-    const auto [sin_raise, cos_raise] = sin_cos_degrees(20);
-    const glm::dvec3 toward_eye = (front * cos_turn + side * sin_turn) * cos_raise + above * sin_raise;
-    const glm::dvec3 right = glm::normalize(glm::cross(above, toward_eye));
-    const glm::dvec3 upward = glm::cross(toward_eye, right);
+    Framing framing(box, aspect, up, view_angle);
+    for (const glm::dvec3& corner : corners_of(box)) framing.include(corner);
+    return with_planes_around(framing.camera(up, view_angle), box);
+}
 
-    // A corner at (x, y, z) from the centre, in eye axes, is seen at |x| / (distance - z) of the tangent of
-    // half the angle: each gives a least distance, and the largest of them holds for all.
-    const double half_height = 0.9 * tan_degrees(double(view_angle) / 2);
-    const double half_width = half_height * aspect;
-    const auto corners = corners_of(box);
-    const glm::dvec3 centre = (corners[0] + corners[7]) * 0.5;
-    double distance = 0;
-    for (const glm::dvec3& corner : corners) {
-        const glm::dvec3 c = corner - centre;
-        const double z = glm::dot(c, toward_eye);
-        distance = std::max(distance, z + std::abs(glm::dot(c, right)) / half_width);
-        distance = std::max(distance, z + std::abs(glm::dot(c, upward)) / half_height);
-    }
-
-    Camera camera;
-    camera.focal_point = glm::vec3(centre);
-    camera.position = glm::vec3(centre + toward_eye * distance);
-    camera.up = up;
-    camera.view_angle = view_angle;
-    return with_planes_around(camera, box);
+Camera auto_frame(const Model& model, double aspect, const glm::vec3& up, float view_angle) {
+    const Box box = bounding_box(model);
+    const bool has_size = box.min.x < box.max.x || box.min.y < box.max.y || box.min.z < box.max.z;
+    if (!has_size) return auto_frame(box, aspect, up, view_angle);
+    Framing framing(box, aspect, up, view_angle);
+    for (std::uint32_t i : model.indices) framing.include(limited(model.vertices[i].position));
+    return with_planes_around(framing.camera(up, view_angle), box);
 }
 
 Camera with_planes_around(Camera camera, const Box& box) {

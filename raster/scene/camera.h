@@ -31,13 +31,16 @@ struct CameraMatrices {
 /// view direction, or the numbers are so extreme that a matrix would leave the range of float.
 Result<CameraMatrices> camera_matrices(const Camera& camera, double aspect);
 
-/// A camera whose picture a model of this box just fills: every corner lies within 90 % of the picture's width
-/// and height, as in f3d, and at least one on that limit. It looks at the centre of the box from the front, 30
-/// degrees to the right and 20 above; the front is +z when up is y and -y when up is z. The planes enclose the
-/// box. An empty box becomes a unit cube at the origin, a single point one around the point, NaN becomes 0 and
-/// coordinates are limited to 1e25: the result is valid for view angles from 1 to 170 degrees, aspects from 0.001
-/// to 1000 and any `up` but 0.
+/// A camera whose picture a model of this box just fills: every corner lies within 90 % of the picture's
+/// width and height, as in f3d, and at least one on that limit. It looks at the centre of the box from the
+/// front, 30 degrees to the right and 20 above; the front is +z when up is y and -y when up is z. The planes
+/// enclose the box. An empty box becomes a unit cube at the origin, a single point one around the point, NaN
+/// becomes 0 and coordinates are limited to 1e25: the result is valid for view angles from 1 to 170 degrees,
+/// aspects from 0.001 to 1000 and any `up` but 0.
 Camera auto_frame(const Box& box, double aspect, const glm::vec3& up = {0.0f, 1.0f, 0.0f},
+                  float view_angle = 30.0f);
+/// The same with the model's own vertices in place of the corners of its box: as near as the shape allows.
+Camera auto_frame(const Model& model, double aspect, const glm::vec3& up = {0.0f, 1.0f, 0.0f},
                   float view_angle = 30.0f);
 
 /// The camera with near and far plane around the box, whatever side it is on: the nearest corner is in front
