@@ -1,0 +1,22 @@
+// diff_picture.h: pictures of a comparison, for people.
+#pragma once
+
+#include <raster/image/diff.h>
+
+namespace raster {
+
+/// The picture as a display shows it, 8 bits, RGB: floats clamped and sRGB encoded, transparency over white.
+Image8 displayed(const AnyImage& image);
+
+/// The expected picture, pale and grey, with pixels that fail in orange (the darker, the larger the difference),
+/// those that differ and pass in blue, and those that do not count hatched. Same size, RGB. Never red and green.
+Image8 difference_picture(const AnyImage& expected, const Diff& diff);
+
+/// The FLIP error of each pixel, 0 to 255, one channel.
+Image8 flip_picture(const Diff& diff);
+
+/// Expected, actual and difference side by side, for a glance: at most 1024 pixels each, small ones magnified. Where
+/// shrunk, a difference of one pixel stays visible. `difference` may be empty.
+Image8 triptych(const AnyImage& expected, const AnyImage& actual, const Image8& difference);
+
+}  // namespace raster

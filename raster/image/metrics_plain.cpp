@@ -1,0 +1,163 @@
+// metrics_plain.cpp: the figures that are sums and largest values of sample differences.
+#include <raster/image/metrics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include <raster/math.h>
+#include <raster/tiles/parallel.h>
+
+namespace raster {
+namespace {
+
+/// Sums of a row: exact integers for whole numbers, so that their order does not matter.
+template <class T>
+struct RowSums {
+    using Sum = std::conditional_t<std::is_same_v<T, float>, double, std::uint64_t>;
+    Sum absolute = 0, squared = 0;
+    std::int64_t differing = 0;
+    float max = 0;
+    int max_x = 0;
+};
+
+template <class T>
+auto difference(T a, T b) {
+    if constexpr (std::is_same_v<T, float>) {
+        return a == b ? 0.0 : std::abs(double(a) - double(b));
+    } else {
+        return std::uint32_t(a < b ? b - a : a - b);
+    }
+}
+
+template <int channels, class T>
+RowSums<T> compare_row(const T* a, const T* b, int width, float* deltas) {
+    RowSums<T> sums;
+    for (int x = 0; x < width; ++x) {
+        decltype(difference(*a, *b)) largest = 0;
+        for (int c = 0; c < channels; ++c, ++a, ++b) {
+            const auto d = difference(*a, *b);
+            largest = largest < d ? d : largest;
+            sums.absolute += d;
+            sums.squared += decltype(sums.squared)(d) * d;
+        }
+        // A float that differs in doubles only must not be called equal.
+        float delta = float(largest);
+        if (std::is_same_v<T, float> && largest > 0 && delta == 0) delta = std::numeric_limits<float>::denorm_min();
+        deltas[x] = delta;
+    }
+    for (int x = 0; x < width; ++x) sums.differing += deltas[x] > 0;
+    for (int x = 0; x < width; ++x)
+        if (deltas[x] > sums.max) sums.max = deltas[x], sums.max_x = x;
+    return sums;
+}
+
+template <class T>
+RowSums<T> compare_row(int channels, const T* a, const T* b, int width, float* deltas) {
+    switch (channels) {
+        case 1: return compare_row<1>(a, b, width, deltas);
+        case 2: return compare_row<2>(a, b, width, deltas);
+        case 3: return compare_row<3>(a, b, width, deltas);
+        default: return compare_row<4>(a, b, width, deltas);
+    }
+}
+
+template <class T>
+constexpr double peak = std::is_same_v<T, float> ? 1.0 : double(std::numeric_limits<T>::max());
+
+/// 10 log10(x) without the C library, whose last bits vary; 1e-5 dB are never shown. For x > 0.
+double decibels(double x) {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);  // exact; keeps x in a float's range
+    return 3.0102999566398120 * (exponent + double(log2(float(mantissa))));
+}
+
+}  // namespace
+
+template <class T>
+PlainMetrics plain_metrics(const Image<T>& expected, const Image<T>& actual, std::int64_t compared) {
+    PlainMetrics metrics;
+    const std::size_t row_samples = std::size_t(expected.width) * std::size_t(expected.channels);
+    if (!std::is_same_v<T, float> && expected.samples == actual.samples) return metrics;
+
+    metrics.deltas = ImageF(expected.width, expected.height, 1);
+    std::vector<RowSums<T>> rows(std::size_t(expected.height));
+    constexpr int rows_at_once = 16;
+    tiles::parallel_for(std::size_t(expected.height + rows_at_once - 1) / rows_at_once, [&](std::size_t band) {
+        const int first = int(band) * rows_at_once;
+        for (int y = first; y < std::min(first + rows_at_once, expected.height); ++y) {
+            const T *a = expected.pixel(0, y), *b = actual.pixel(0, y);
+            if (std::memcmp(a, b, row_samples * sizeof(T)) == 0) continue;
+            rows[std::size_t(y)] = compare_row(expected.channels, a, b, expected.width, metrics.deltas.pixel(0, y));
+        }
+    });
+
+    typename RowSums<T>::Sum absolute = 0, squared = 0;
+    for (int y = 0; y < expected.height; ++y) {
+        const RowSums<T>& row = rows[std::size_t(y)];
+        absolute += row.absolute;
+        squared += row.squared;
+        metrics.differing += row.differing;
+        if (double(row.max) > metrics.max) metrics.max = row.max, metrics.max_x = row.max_x, metrics.max_y = y;
+    }
+    if (metrics.differing == 0) {
+        metrics.deltas = {};
+        return metrics;
+    }
+    const double samples = double(compared) * expected.channels;
+    metrics.mean = double(absolute) / samples;
+    metrics.rms = std::sqrt(double(squared) / samples);
+    metrics.psnr = decibels(peak<T> * peak<T> * samples / double(squared));
+    return metrics;
+}
+
+template PlainMetrics plain_metrics(const Image8&, const Image8&, std::int64_t);
+template PlainMetrics plain_metrics(const Image16&, const Image16&, std::int64_t);
+template PlainMetrics plain_metrics(const ImageF&, const ImageF&, std::int64_t);
+
+DifferingCells::DifferingCells(const ImageF& deltas)
+    : columns_((deltas.width + cell - 1) / cell),
+      rows_((deltas.height + cell - 1) / cell),
+      differs_(std::size_t(columns_) * std::size_t(rows_)) {
+    tiles::parallel_for(std::size_t(rows_), [&](std::size_t row) {
+        for (int y = int(row) * cell; y < std::min(int(row + 1) * cell, deltas.height); ++y) {
+            const float* delta = deltas.pixel(0, y);
+            for (int column = 0; column < columns_; ++column) {
+                bool any = false;
+                for (int x = column * cell; x < std::min((column + 1) * cell, deltas.width); ++x) any |= delta[x] > 0;
+                differs_[row * std::size_t(columns_) + std::size_t(column)] |= std::uint8_t(any);
+            }
+        }
+    });
+}
+
+bool DifferingCells::any_in(int x0, int y0, int x1, int y1) const {
+    for (int row = std::max(y0 / cell, 0); row * cell < y1 && row < rows_; ++row)
+        for (int column = std::max(x0 / cell, 0); column * cell < x1 && column < columns_; ++column)
+            if (differs_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)] != 0) return true;
+    return false;
+}
+
+double mean_of(const ImageF& map, const Image8& compared) {
+    if (map.empty()) return 0;
+    std::vector<double> sums(std::size_t(map.height));
+    std::vector<std::int64_t> counts(std::size_t(map.height));
+    tiles::parallel_for(sums.size(), [&](std::size_t y) {
+        const float* row = map.pixel(0, int(y));
+        const std::uint8_t* counts_here = compared.empty() ? nullptr : compared.pixel(0, int(y));
+        double sum = 0;
+        for (int x = 0; x < map.width; ++x) {
+            const bool in = counts_here == nullptr || counts_here[x] != 0;
+            sum += in ? double(row[x]) : 0.0;
+            counts[y] += in;
+        }
+        sums[y] = sum;
+    });
+    double sum = 0;
+    std::int64_t count = 0;
+    for (std::size_t y = 0; y < sums.size(); ++y) sum += sums[y], count += counts[y];
+    return count == 0 ? 0 : sum / double(count);
+}
+
+}  // namespace raster

@@ -1,0 +1,24 @@
+// metrics_rows.h: weighted sums of rows of floats, the one loop in which image metrics spend their time.
+#pragma once
+
+#include <vector>
+
+namespace raster {
+
+/// Rows are summed in pieces of so many floats; buffers are padded to a multiple.
+inline constexpr int row_block = 32;
+
+/// A filter along x or y by one half of its weights: weights[0] is for the middle, weights[k] for k steps away.
+enum class FilterSymmetry {
+    even,  ///< both sides have the same weight
+    odd,   ///< what lies before counts negative; weights[0] is not used
+};
+
+/// out[i] = the weighted sum of rows[radius + k][i] over k = -radius to radius, for i = 0 to count - 1 rounded up to
+/// whole blocks; with `add`, out[i] is added to. radius = weights.size() - 1 and `rows` has 2 radius + 1 pointers:
+/// rows of a picture, or one row at different places. Uses the processor's widest registers, whatever the
+/// program was compiled for; the sums are made in one order and have the same bits everywhere.
+void filter_rows(FilterSymmetry symmetry, const std::vector<float>& weights, const float* const* rows, int count,
+                 float* out, bool add = false);
+
+}  // namespace raster

@@ -1,0 +1,248 @@
+// report.cpp: gathers comparisons and writes the folder that a failed run leaves behind.
+#include <raster/image/report.h>
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <new>
+#include <set>
+#include <system_error>
+
+#include <raster/image/diff_picture.h>
+#include <raster/image/diff_steps.h>
+#include <raster/image/png.h>
+#include <raster/image/pnm.h>
+#include <raster/image/report_json.h>
+#include <raster/tiles/parallel.h>
+
+namespace raster {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beyond, browsers get slow; the pictures are in the folder all the same.
+constexpr std::size_t most_embedded_bytes = std::size_t(256) << 20;
+
+std::string hexadecimal(std::uint32_t value) {
+    std::string digits(8, '0');
+    for (std::size_t i = 8; i-- > 0; value >>= 4) digits[i] = "0123456789abcdef"[value & 15];
+    return digits;
+}
+
+std::string crc_of(const Bytes& file) {
+    return file.empty() ? "" : hexadecimal(libdeflate_crc32(0, file.data(), file.size()));
+}
+
+std::string shape_in_words(const std::optional<AnyImage>& image) {
+    if (!image) return "";
+    const diff_steps::Shape shape = diff_steps::shape_of(*image);
+    constexpr const char* channels[] = {"grey", "grey and alpha", "RGB", "RGBA"};
+    return shape.size() + " " + channels[shape.channels - 1] + (shape.bits == 32 ? ", floats" : ", " + std::to_string(shape.bits) + " bits");
+}
+
+std::string data_url(const char* type, const Bytes& bytes) {
+    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    static const std::vector<std::array<char, 2>> pairs = [] {
+        std::vector<std::array<char, 2>> table;
+        for (int i = 0; i < 4096; ++i) table.push_back({digits[i >> 6], digits[i & 63]});
+        return table;
+    }();
+    std::string url = std::string("data:") + type + ";base64,";
+    const std::size_t start = url.size();
+    url.resize(start + (bytes.size() + 2) / 3 * 4, '=');
+    char* out = url.data() + start;
+    const auto* in = reinterpret_cast<const unsigned char*>(bytes.data());
+    std::size_t left = bytes.size();
+    for (; left >= 3; left -= 3, in += 3, out += 4) {
+        const unsigned bits = unsigned(in[0]) << 16 | unsigned(in[1]) << 8 | in[2];
+        std::copy_n(pairs[bits >> 12].data(), 2, out);
+        std::copy_n(pairs[bits & 4095].data(), 2, out + 2);
+    }
+    if (left > 0) {
+        const unsigned bits = unsigned(in[0]) << 16 | (left == 2 ? unsigned(in[1]) << 8 : 0);
+        std::copy_n(pairs[bits >> 12].data(), 2, out);
+        if (left == 2) out[2] = digits[bits >> 6 & 63];
+    }
+    return url;
+}
+
+Result<Bytes> encode(const AnyImage& image) {
+    if (const auto* deep = std::get_if<Image16>(&image)) return encode_png(*deep);
+    if (const auto* bytes = std::get_if<Image8>(&image)) return encode_png(*bytes);
+    return encode_png(displayed(image));
+}
+
+/// The file itself where browsers know its format, else a PNG of what it shows.
+Result<std::string> picture_url(const ComparedPicture& picture) {
+    if (!picture.image) return std::string();
+    const auto starts = [&](std::string_view magic) {
+        return picture.file.size() > magic.size() && std::equal(magic.begin(), magic.end(), picture.file.begin(), [](char a, std::byte b) {
+                   return std::byte(static_cast<unsigned char>(a)) == b;
+               });
+    };
+    if (starts("\x89PNG")) return data_url("image/png", picture.file);
+    if (starts("\xff\xd8\xff")) return data_url("image/jpeg", picture.file);
+    if (starts("BM")) return data_url("image/bmp", picture.file);
+    const Result<Bytes> png = encode(*picture.image);
+    if (!png) return png.error();
+    return data_url("image/png", *png);
+}
+
+Status make_folder(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) return Error{ErrorKind::input_output, folder.string() + ": cannot make the folder: " + failed.message()};
+    return Done{};
+}
+
+/// How the files about a comparison begin: "teapot" for teapot.png; other endings stay, lest two be one.
+std::string stem_of(const std::string& name) { return name.ends_with(".png") ? name.substr(0, name.size() - 4) : name; }
+
+std::string actual_name(const Comparison& pair) {
+    std::string ending = fs::path(pair.actual.path).extension().string();
+    if (ending.empty()) ending = pair.actual.image && std::holds_alternative<ImageF>(*pair.actual.image) ? ".pfm" : ".png";
+    return stem_of(pair.name) + ".actual" + ending;
+}
+
+void remove_if_there(const fs::path& file) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+}
+
+}  // namespace
+
+Status DiffReport::add(const Comparison& pair, const Gates& gates) try {
+    const Diff& diff = pair.diff;
+    ReportEntry entry;
+    entry.name = pair.name;
+    std::error_code failed;
+    const fs::path golden = fs::absolute(pair.golden, failed);
+    entry.golden = pair.golden.empty() || failed ? "" : golden.lexically_normal().string();
+    entry.verdict = diff.verdict;
+    entry.reason = diff.reason;
+    entry.expected_path = pair.expected.path, entry.actual_path = pair.actual.path;
+    entry.expected_shape = shape_in_words(pair.expected.image), entry.actual_shape = shape_in_words(pair.actual.image);
+    entry.expected_crc = crc_of(pair.expected.file), entry.actual_crc = crc_of(pair.actual.file);
+    entry.figures = diff.figures;
+    entry.gates = gates;
+    entry.would_pass = diff.would_pass;
+    entry.warnings = diff.warnings, entry.notes = diff.notes;
+    entry.regions = diff.regions, entry.region_count = diff.region_count;
+    if (const auto& either = pair.expected.image ? pair.expected.image : pair.actual.image; either) {
+        const diff_steps::Shape shape = diff_steps::shape_of(*either);
+        entry.width = shape.width, entry.height = shape.height;
+    }
+    Status written = Done{};
+    if (passes(diff.verdict)) {
+        const fs::path stem = fs::path(folder_) / stem_of(pair.name);
+        for (const char* ending : {".diff.png", ".triptych.png"}) remove_if_there(stem.string() + ending);
+        remove_if_there(fs::path(folder_) / actual_name(pair));
+    } else {
+        written = write_pictures(pair, entry);
+    }
+    entries_.push_back(std::move(entry));
+    return written;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::input_output, folder_ + ": not enough memory for the report"};
+}
+
+Status DiffReport::write_pictures(const Comparison& pair, ReportEntry& entry) {
+    const fs::path folder = fs::path(folder_) / fs::path(pair.name).parent_path();
+    if (const Status made = make_folder(folder); !made) return made;
+    const std::string stem = stem_of(pair.name);
+    const bool both = pair.expected.image && pair.actual.image;
+    const bool embed = embedded_bytes_ < most_embedded_bytes;
+
+    Image8 difference;
+    if (pair.diff.figures) difference = difference_picture(*pair.expected.image, pair.diff);
+    // Independent of each other, and each takes its time.
+    using Job = std::function<Status()>;
+    const auto write_png_and_url = [&](const Image8& image, const std::string& file, std::string& url) -> Status {
+        const Result<Bytes> png = encode_png(image);
+        if (!png) return png.error();
+        if (embed) url = data_url("image/png", *png);
+        return file.empty() ? Status(Done{}) : write_file((fs::path(folder_) / file).string(), *png);
+    };
+    std::vector<Job> jobs;
+    if (!difference.empty()) {
+        entry.difference_file = stem + ".diff.png";
+        jobs.push_back([&] { return write_png_and_url(difference, entry.difference_file, entry.difference_url); });
+    }
+    if (!pair.diff.flip_map.empty() && embed)
+        jobs.push_back([&] { return write_png_and_url(flip_picture(pair.diff), "", entry.flip_url); });
+    std::string no_url;
+    if (both) {
+        entry.triptych_file = stem + ".triptych.png";
+        jobs.push_back([&]() -> Status {
+            const Result<Bytes> png = encode_png(triptych(*pair.expected.image, *pair.actual.image, difference));
+            if (!png) return png.error();
+            return write_file((fs::path(folder_) / entry.triptych_file).string(), *png);
+        });
+    }
+    if (!pair.actual.file.empty() && pair.actual.image) {
+        entry.actual_file = actual_name(pair);
+        jobs.push_back([&] { return write_file((fs::path(folder_) / entry.actual_file).string(), pair.actual.file); });
+    }
+    const auto embed_side = [&](const ComparedPicture& side, std::string& url) {
+        jobs.push_back([&]() -> Status {
+            Result<std::string> made = picture_url(side);
+            if (!made) return made.error();
+            url = std::move(*made);
+            return Done{};
+        });
+    };
+    if (embed) {
+        embed_side(pair.expected, entry.expected_url);
+        embed_side(pair.actual, entry.actual_url);
+    }
+    std::vector<Status> results(jobs.size(), Status(Done{}));
+    tiles::parallel_for(jobs.size(), [&](std::size_t i) { results[i] = jobs[i](); });
+    for (const std::string* url : {&entry.expected_url, &entry.actual_url, &entry.difference_url, &entry.flip_url})
+        embedded_bytes_ += url->size();
+    for (Status& result : results)
+        if (!result) return std::move(result);
+    return Done{};
+}
+
+Status DiffReport::finish() try {
+    const fs::path folder(folder_), page = folder / "report.html", data = folder / "diff.json";
+    if (!all_pass()) {
+        if (const Status made = make_folder(folder); !made) return made;
+        const std::string html = report_page(entries_, folder_), facts = json();
+        const auto bytes = [](const std::string& text) { return std::as_bytes(std::span(text)); };
+        if (Status written = write_file(page.string(), bytes(html)); !written) return written;
+        return write_file(data.string(), bytes(facts));
+    }
+    // An earlier failure stays if it was about other pictures.
+    const Result<Bytes> earlier = read_file(data.string(), std::size_t(1) << 30);
+    if (!earlier) return Done{};
+    const auto* text = reinterpret_cast<const char*>(earlier->data());
+    const std::optional<JsonValue> report = parse_json({text, earlier->size()});
+    if (!report) return Done{};
+    std::set<std::string> passing;
+    for (const ReportEntry& entry : entries_) passing.insert(entry.golden);
+    if (const auto pairs = report->members.find("pairs"); pairs != report->members.end())
+        for (const JsonValue& pair : pairs->second.items)
+            if (pair.member_text("passes") != "true" && passing.count(pair.member_text("golden")) == 0) return Done{};
+    remove_if_there(page);
+    remove_if_there(data);
+    remove_if_there(folder);  // if it is empty
+    return Done{};
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::input_output, folder_ + ": not enough memory for the report"};
+}
+
+bool DiffReport::all_pass() const {
+    return std::all_of(entries_.begin(), entries_.end(), [](const ReportEntry& entry) { return passes(entry.verdict); });
+}
+
+int DiffReport::exit_code() const {
+    const bool trouble = std::any_of(entries_.begin(), entries_.end(),
+                                     [](const ReportEntry& entry) { return entry.verdict == Verdict::unreadable; });
+    return trouble ? 2 : all_pass() ? 0 : 1;
+}
+
+}  // namespace raster

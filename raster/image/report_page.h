@@ -1,0 +1,12 @@
+// report_page.h: the parts of the report page, each a source file of its own.
+#pragma once
+
+namespace raster::report_parts {
+
+extern const char* const style;  ///< CSS
+extern const char* const body;   ///< HTML inside the body element
+/// JavaScript, run after the body, one after the other.
+extern const char* const script_panes;
+extern const char* const script_view;
+
+}  // namespace raster::report_parts
