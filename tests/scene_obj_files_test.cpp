@@ -7,7 +7,6 @@ namespace {
 using ::testing::ElementsAre;
 using testing::expect_sound;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using testing::Loaded;
 
 /// What a file must give: triangles and parts, or an error with this text; and how many warnings.

@@ -73,6 +73,7 @@ private:
     bool force_one(std::uint32_t start);
     void clip(std::uint32_t v);
     void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    static double signed_area(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c);
     double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
     std::span<const glm::vec3> corners_;               ///< of the polygon at work
