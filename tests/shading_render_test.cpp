@@ -1,6 +1,7 @@
 // Pictures of models: options, materials, transparency, extra planes, and that an observer sees the very same draws.
 #include <gtest/gtest.h>
 #include <raster/scene/draw_plan.h>
+#include <raster/scene/transform.h>
 
 #include "shading_testing.h"
 
@@ -116,6 +117,21 @@ TEST(Render, TakesTheExponentFromTheMaterialOrFromTheOptions) {
     EXPECT_NEAR(picture(model, options).color(32, 32).x, 0.75, 0.01);
     model.materials[0].illumination = 1;  // no highlight
     EXPECT_EQ(picture(model, options).color(32, 32).x, 0.0f);
+}
+
+TEST(Render, SeesParallelLightTheSameEverywhereWithoutPerspective) {
+    CameraMatrices m;
+    m.eye_from_world = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0});
+    m.clip_from_eye = orthographic(-1, 1, -1, 1, 1, 10);
+    m.clip_from_world = product(m.clip_from_eye, m.eye_from_world);
+    Model model;
+    add_quad(model, square(-1, -1, 1, 1, 0), {0, 0, 1});
+    Target target(64, 64);
+    RenderOptions options;
+    options.reflectance = Phong{};
+    render(target, model, m, options);
+    EXPECT_EQ(target.color(2, 2), target.color(60, 61));
+    EXPECT_NE(picture(model, options).color(14, 14), picture(model, options).color(50, 50));  // the highlight's side
 }
 
 TEST(Render, DrawsWhatIsSeeThroughLastAndBackToFront) {

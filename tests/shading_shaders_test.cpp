@@ -171,9 +171,13 @@ TEST(Shaders, SurviveNormalsThatAreZeroAndPositionsAtTheEyeOrTheLight) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const glm::vec4 at_eye = shader.fragment<float>({{0, 0, 1}, {0, 0, 0}}, {});
     const glm::vec4 no_number = shader.fragment<float>({{nan, nan, nan}, {nan, 0, -1}}, {});
+    scene.u.material.vertex_colors = true;
+    const PixelShader<BlinnPhong, Detail::mapped> mapped{scene.u, {}};
+    const glm::vec4 no_color = mapped.fragment<float>({{0, 0, 1}, {0, 0, -3}, {nan, nan}, {nan, -1, nan}}, {});
     for (int c = 0; c < 4; ++c) {
         EXPECT_TRUE(at_eye[c] >= 0 && at_eye[c] < 10);
         EXPECT_TRUE(no_number[c] >= 0 && no_number[c] < 10);
+        EXPECT_TRUE(no_color[c] >= 0 && no_color[c] < 10);
     }
 }
 

@@ -138,7 +138,7 @@ void DrawPlan::for_each(const CameraMatrices& camera, const std::function<void(c
     u.lights = lighting.lights;
     u.grain_eye = glm::mat3(camera.eye_from_world) * options_.grain_world;
     u.two_sided = options_.two_sided;
-    u.local_viewer = camera.clip_from_eye[2][3] != 0.0f;
+    if (camera.clip_from_eye[2][3] == 0.0f) u.viewer_eye = {0, 0, 1, 0};  // w does not depend on z: no perspective
 
     const bool painted = options_.visibility == Visibility::painter;
     const std::span<const std::uint32_t> indices(model_.indices);

@@ -30,14 +30,14 @@ struct LitFace {
 /// has no normal and no light.
 template <class F>
 inline LitFace<F> light_face(const ShadingUniforms& u, const RuntimeModel& model, const Face<F>& face) {
-    const vec<3, F> a = eye_position(u, face.position[0]);
-    const vec<3, F> b = eye_position(u, face.position[1]);
-    const vec<3, F> c = eye_position(u, face.position[2]);
-    const vec<3, F> centroid = (a + b + c) * F(1.0f / 3.0f);
+    vec<3, F> a = eye_position(u, face.position[0]);
+    vec<3, F> b = eye_position(u, face.position[1]);
+    vec<3, F> c = eye_position(u, face.position[2]);
+    vec<3, F> centroid = (a + b + c) * F(1.0f / 3.0f);
     // Edges of unit length first: the product of two tiny or huge ones would leave the range of floats.
-    const vec<3, F> outward = normalize_or_zero(glm::cross(normalize_or_zero(b - a), normalize_or_zero(c - a)));
+    vec<3, F> outward = normalize_or_zero(glm::cross(normalize_or_zero(b - a), normalize_or_zero(c - a)));
     const Mask<F> away = glm::dot(outward, to_viewer(u, centroid)) < F(0);
-    const vec<3, F> n = u.two_sided ? negate_where<F>(away, outward) : outward;
+    vec<3, F> n = u.two_sided ? negate_where<F>(away, outward) : outward;
     return {illuminate(model, u.lights, frame_at<RuntimeModel>(u, n, centroid), centroid), n};
 }
 
@@ -76,12 +76,12 @@ struct FlatShader {
     template <class F>
     auto fragment(const Varyings<F>& in, const FragmentInput<F>& at) const {
         const Int<F> face = clamped<F>(at.triangle);
-        const Lit<F> lit{look_up<F>(face, 0), look_up<F>(face, 3)};
+        Lit<F> lit{look_up<F>(face, 0), look_up<F>(face, 3)};
         if constexpr (level == Detail::plain) {
             return plain_sum(plain_colors(u.material), u.ambient, lit);
         } else {
-            const SurfaceColors<F> colors = mapped_colors(u.material, in.uv, look_up<F>(face, 9));
-            const Terms<F> terms = make_terms(colors, u.ambient, lit);
+            SurfaceColors<F> colors = mapped_colors(u.material, in.uv, look_up<F>(face, 9));
+            Terms<F> terms = make_terms(colors, u.ambient, lit);
             if constexpr (level == Detail::mapped) {
                 return sum_of(terms, colors.alpha);
             } else {

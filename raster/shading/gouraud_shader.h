@@ -38,16 +38,16 @@ struct GouraudShader {
 
     template <class F>
     VertexOut<F, Varyings> vertex(const SurfaceVertex<F>& v) const {
-        const vec<3, F> n = eye_normal(u, v.normal);
-        const vec<3, F> position_eye = eye_position(u, v.position);
-        const Lit<F> lit = illuminate(model, u.lights, frame_at<RuntimeModel>(u, n, position_eye), position_eye);
+        vec<3, F> n = eye_normal(u, v.normal);
+        vec<3, F> position_eye = eye_position(u, v.position);
+        Lit<F> lit = illuminate(model, u.lights, frame_at<RuntimeModel>(u, n, position_eye), position_eye);
         VertexOut<F, Varyings> out;
         out.clip = transform_point(u.clip_from_object, v.position);
         if constexpr (level == Detail::plain) {
             out.varyings.color = vec<3, F>(plain_sum(plain_colors(u.material), u.ambient, lit));
         } else {
-            const Frame<F> behind = frame_at<RuntimeModel>(u, -n, position_eye);
-            const Lit<F> back = u.two_sided ? illuminate(model, u.lights, behind, position_eye) : lit;
+            Frame<F> behind = frame_at<RuntimeModel>(u, -n, position_eye);
+            Lit<F> back = u.two_sided ? illuminate(model, u.lights, behind, position_eye) : lit;
             out.varyings = {lit, back, v.uv, v.color, n};
         }
         return out;
@@ -58,14 +58,14 @@ struct GouraudShader {
         if constexpr (level == Detail::plain) {
             return detail::final_color(in.color, F(u.material.alpha));
         } else {
-            const Lit<F> lit{select(at.front_facing, in.front.diffuse, in.back.diffuse),
+            Lit<F> lit{select(at.front_facing, in.front.diffuse, in.back.diffuse),
                              select(at.front_facing, in.front.specular, in.back.specular)};
-            const SurfaceColors<F> colors = mapped_colors(u.material, in.uv, in.color);
-            const Terms<F> terms = make_terms(colors, u.ambient, lit);
+            SurfaceColors<F> colors = mapped_colors(u.material, in.uv, in.color);
+            Terms<F> terms = make_terms(colors, u.ambient, lit);
             if constexpr (level == Detail::mapped) {
                 return sum_of(terms, colors.alpha);
             } else {
-                const vec<3, F> n = normalize_or_zero(in.normal_eye);
+                vec<3, F> n = normalize_or_zero(in.normal_eye);
                 return make_outputs(u, terms, colors.alpha, u.two_sided ? negate_where<F>(!at.front_facing, n) : n,
                                     at.triangle);
             }

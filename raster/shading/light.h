@@ -90,21 +90,29 @@ struct LightSample {
     F strength;   ///< 0 to 1
 };
 
-/// The kind of a light is the same for all lanes, so the branch below is taken once for all of them.
+/// How much of a spot's light goes the way of -l: its falloff inside the cone, 0 outside.
+template <class F>
+inline F spot_strength(const EyeLight& light, const vec<3, F>& l) {
+    const F cos_axis = -glm::dot(l, vec<3, F>(light.direction_eye));
+    F falloff(1);
+    if (light.falloff_exponent != 0.0f) falloff = raster::pow(max(cos_axis, F(0)), light.falloff_exponent);
+    return select(cos_axis >= F(light.cos_cutoff), falloff, F(0));
+}
+
+/// The kind of a light is the same for all lanes, so each branch below is taken once for all of them.
 template <class F>
 inline LightSample<F> sample_light(const EyeLight& light, const vec<3, F>& position_eye) {
-    if (light.kind == LightKind::directional) return {vec<3, F>(-light.direction_eye), F(1)};
-
-    const vec<3, F> to_light = vec<3, F>(light.position_eye) - position_eye;
-    const F squared_distance = max(glm::dot(to_light, to_light), F(1e-30f));
-    const F distance = sqrt(squared_distance);
-    const vec<3, F> l = to_light * (F(1) / distance);
-    const F strength = attenuate(light.attenuation, distance, squared_distance);
-    if (light.kind == LightKind::point) return {l, strength};
-
-    const F cos_axis = -glm::dot(l, vec<3, F>(light.direction_eye));
-    const F falloff = light.falloff_exponent == 0.0f ? F(1) : raster::pow(max(cos_axis, F(0)), light.falloff_exponent);
-    return {l, select(cos_axis >= F(light.cos_cutoff), strength * falloff, F(0))};
+    vec<3, F> l(-light.direction_eye);
+    F strength(1);
+    if (light.kind != LightKind::directional) {
+        vec<3, F> to_light = vec<3, F>(light.position_eye) - position_eye;
+        const F squared_distance = max(glm::dot(to_light, to_light), F(1e-30f));
+        const F distance = sqrt(squared_distance);
+        l = to_light * (F(1) / distance);
+        strength = attenuate(light.attenuation, distance, squared_distance);
+        if (light.kind == LightKind::spot) strength = strength * spot_strength(light, l);
+    }
+    return {l, strength};
 }
 
 /// The sums over all lights of what a surface reflects, before its kd and ks.
@@ -119,10 +127,10 @@ inline Lit<F> illuminate(const Model& model, std::span<const EyeLight> lights, c
                          const vec<3, F>& position_eye) {
     Lit<F> sum{vec<3, F>(F(0)), vec<3, F>(F(0))};
     for (const EyeLight& light : lights) {
-        const LightSample<F> from = sample_light(light, position_eye);
-        const Reflectance<F> value = model.evaluate(frame, from.l);
-        sum.diffuse = sum.diffuse + value.diffuse * from.strength * light.diffuse;
-        sum.specular = sum.specular + value.specular * from.strength * light.specular;
+        LightSample<F> from = sample_light(light, position_eye);
+        Reflectance<F> value = model.evaluate(frame, from.l);
+        sum.diffuse += value.diffuse * from.strength * light.diffuse;
+        sum.specular += value.specular * from.strength * light.specular;
     }
     return sum;
 }

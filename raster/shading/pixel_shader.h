@@ -45,15 +45,15 @@ struct PixelShader {
 
     template <class F>
     auto fragment(const Varyings<F>& in, const FragmentInput<F>& at) const {
-        const vec<3, F> outward = normalize_or_zero(in.normal_eye);
-        const vec<3, F> n = u.two_sided ? negate_where<F>(!at.front_facing, outward) : outward;
-        const Frame<F> frame = frame_at<Model>(u, n, in.position_eye);
-        const Lit<F> lit = illuminate(model, u.lights, frame, in.position_eye);
+        vec<3, F> outward = normalize_or_zero(in.normal_eye);
+        vec<3, F> n = u.two_sided ? negate_where<F>(!at.front_facing, outward) : outward;
+        Frame<F> frame = frame_at<Model>(u, n, in.position_eye);
+        Lit<F> lit = illuminate(model, u.lights, frame, in.position_eye);
         if constexpr (level == Detail::plain) {
             return plain_sum(plain_colors(u.material), u.ambient, lit);
         } else {
-            const SurfaceColors<F> colors = mapped_colors(u.material, in.uv, in.color);
-            const Terms<F> terms = make_terms(colors, u.ambient, lit);
+            SurfaceColors<F> colors = mapped_colors(u.material, in.uv, in.color);
+            Terms<F> terms = make_terms(colors, u.ambient, lit);
             if constexpr (level == Detail::mapped) {
                 return sum_of(terms, colors.alpha);
             } else {

@@ -56,7 +56,7 @@ inline SurfaceColors<F> mapped_colors(const SurfaceMaterial& m, const vec<2, F>&
     }
     c.alpha = F(m.alpha);
     if (m.alpha_texture) {
-        const vec<4, F> texel = sample<F>(m.alpha_texture, uv);
+        vec<4, F> texel = sample<F>(m.alpha_texture, uv);
         c.alpha = c.alpha * (m.alpha_texture_has_alpha ? texel.w : texel.x);
     }
     return c;
@@ -91,7 +91,7 @@ inline vec<4, F> sum_of(const Terms<F>& t, F alpha) {
 /// The same sum for a material that is the same all over, where half of it needs computing only once.
 template <class F>
 inline vec<4, F> plain_sum(const SurfaceColors<float>& colors, const glm::vec3& ambient, const Lit<F>& lit) {
-    const vec<3, F> base(colors.emission + colors.ambient * ambient);
+    vec<3, F> base(colors.emission + colors.ambient * ambient);
     return detail::final_color((base + lit.diffuse * colors.diffuse) + lit.specular * colors.specular, F(colors.alpha));
 }
 

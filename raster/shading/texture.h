@@ -161,8 +161,8 @@ inline vec<4, F> sample(const TextureView& texture, const vec<2, F>& uv) {
     if (texture.filter == Filter::nearest) {
         value = fetch(nearest_texel(texture.wrap, uv.x, texture.width), nearest_texel(texture.wrap, uv.y, texture.height));
     } else {
-        const TexelPair<F> u = neighbour_texels(texture.wrap, uv.x, texture.width);
-        const TexelPair<F> v = neighbour_texels(texture.wrap, uv.y, texture.height);
+        TexelPair<F> u = neighbour_texels(texture.wrap, uv.x, texture.width);
+        TexelPair<F> v = neighbour_texels(texture.wrap, uv.y, texture.height);
         const auto mix = [](const vec<4, F>& a, const vec<4, F>& b, F t) { return a + (b - a) * t; };
         value = mix(mix(fetch(u.first, v.first), fetch(u.second, v.first), u.weight),
                     mix(fetch(u.first, v.second), fetch(u.second, v.second), u.weight), v.weight);

@@ -28,21 +28,21 @@ struct ShadingUniforms {
     SurfaceMaterial material;
     glm::vec3 grain_eye{1.0f, 0.0f, 0.0f};           ///< direction of brush marks, for anisotropic models
     bool two_sided = false;                          ///< turn the normal of back faces round, else light them as they are
-    bool local_viewer = true;                        ///< the eye is at the origin, else infinitely far away along +z
+    glm::vec4 viewer_eye{0.0f, 0, 0, 1};             ///< homogeneous: the origin, or (0, 0, 1, 0) without perspective
     std::span<const std::int32_t> triangle_numbers;  ///< in the model, of this draw's triangles; when empty they are
     std::int32_t first_triangle = 0;                 ///< counted from here
 };
 
-/// To the viewer from a point, unit length.
+/// To the viewer from a point, unit length. A viewer with w = 0 is infinitely far away.
 template <class F>
 inline vec<3, F> to_viewer(const ShadingUniforms& u, const vec<3, F>& position_eye) {
-    return u.local_viewer ? normalize_or_zero(-position_eye) : vec<3, F>(F(0), F(0), F(1));
+    return normalize_or_zero(vec<3, F>(glm::vec3(u.viewer_eye)) - position_eye * F(u.viewer_eye.w));
 }
 
 /// The frame at a point, for a normal of unit length.
 template <class Model, class F>
 inline Frame<F> frame_at(const ShadingUniforms& u, const vec<3, F>& normal_eye, const vec<3, F>& position_eye) {
-    const vec<3, F> v = to_viewer(u, position_eye);
+    vec<3, F> v = to_viewer(u, position_eye);
     if constexpr (is_anisotropic<Model>()) return make_frame(normal_eye, v, vec<3, F>(u.grain_eye));
     return {normal_eye, v, vec<3, F>(F(0)), vec<3, F>(F(0))};
 }
