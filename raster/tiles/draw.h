@@ -85,9 +85,8 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
     load_tile(tile, target, tile_x, tile_y);
     if constexpr (HasFragment<S>) {
         if (blends) {
-            BlendSink<S> sink(context, tile, target);
-            const AnyDepth depth{draw.state.depth_compare, draw.state.depth_write, target.depth_format()};
-            raster_tile(draw, context.chunks, tile_index, tile, depth, sink);
+            BlendingShader<S> shader(context, target);
+            raster_blended(draw, context.chunks, tile_index, tile, target, shader);
             store_depth(tile, target);
             return;
         }

@@ -1,5 +1,7 @@
-// raster.cpp: opaque draws: remember at each pixel of a tile which triangle is visible.
+// raster.cpp: what becomes of a tile's pixels that pass: opaque draws remember the triangle, others shade and blend at once.
 #include <raster/tiles/raster.h>
+
+#include <raster/tiles/blend.h>
 
 namespace raster::tiles {
 
@@ -25,6 +27,50 @@ public:
         if constexpr (colors) tile_.slot[i] = slot();
     }
     void end() {}
+};
+
+/// The Sink that collects a triangle's pixels by block and has them shaded when the triangle is done.
+class BlendSink : public SlotMaker {
+public:
+    static constexpr bool remembers = false;
+
+    BlendSink(TileBuffer& tile, const Target& target, TriangleShader& shader)
+        : SlotMaker(tile), target_(target), shader_(shader) {}
+
+    void cell(int i, MaskN passed) {
+        const std::uint32_t bits = bitmask(passed);
+        for (int row = 0; row < cell_height; ++row) add(i + row * tile_size, bits >> (row * cell_width) & 0xf);
+    }
+    void row(int i, MaskN passed) { add(i, bitmask(passed)); }
+    void pixel(int i) { add(i, 1); }
+    /// All pixels of the block at (x, y) of the tile.
+    void block(int x, int y) {
+        const int b = y / block_size * blocks_per_row + x / block_size;
+        touched_ |= std::uint64_t(1) << b;
+        pixels_[b] = ~std::uint64_t(0);
+    }
+    void end() {
+        if (touched_ == 0) return;
+        shader_.begin(current());
+        for (; touched_; touched_ &= touched_ - 1) {
+            const int b = std::countr_zero(touched_), x = tile_.x + block_x(b), y = tile_.y + block_y(b);
+            shader_.shade(x, y, pixels_[b] & pixels_in_target(target_, x, y));
+            pixels_[b] = 0;
+        }
+    }
+
+private:
+    /// Neighbours in a row, the first at tile pixel i. They lie in one block.
+    void add(int i, std::uint32_t bits) {
+        const int x = i % tile_size, y = i / tile_size, b = y / block_size * blocks_per_row + x / block_size;
+        touched_ |= std::uint64_t(bits != 0) << b;
+        pixels_[b] |= std::uint64_t(bits) << (y % block_size * block_size + x % block_size);
+    }
+
+    const Target& target_;
+    TriangleShader& shader_;
+    std::uint64_t touched_ = 0;  ///< one bit a block
+    std::uint64_t pixels_[block_count] = {};
 };
 
 template <class Depth, bool colors>
@@ -53,6 +99,13 @@ void raster_opaque(const DrawContext& draw, std::span<const ChunkBins> chunks, s
             raster_remembering<AnyDepth, false>(draw, chunks, tile_index, tile, depth);
         }
     }
+}
+
+RASTER_FLATTEN void raster_blended(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
+                                   TileBuffer& tile, Target& target, TriangleShader& shader) {
+    const AnyDepth depth{draw.state.depth_compare, draw.state.depth_write, target.depth_format()};
+    BlendSink sink(tile, target, shader);
+    raster_tile(draw, chunks, tile_index, tile, depth, sink);
 }
 
 }  // namespace raster::tiles
