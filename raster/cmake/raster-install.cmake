@@ -16,9 +16,9 @@ if(RASTER_TYPE STREQUAL STATIC_LIBRARY)
     set(RASTER_IS_STATIC TRUE)
 endif()
 configure_package_config_file(raster/cmake/raster-config.cmake.in ${PROJECT_BINARY_DIR}/raster-config.cmake
-                              INSTALL_DESTINATION ${RASTER_PACKAGE_DIR})
+                              INSTALL_DESTINATION ${RASTER_PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/raster-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES raster/cmake/raster-dependencies.cmake ${PROJECT_BINARY_DIR}/raster-config.cmake
+install(FILES raster/cmake/raster-dependencies.cmake raster/cmake/raster-golden.cmake ${PROJECT_BINARY_DIR}/raster-config.cmake
         ${PROJECT_BINARY_DIR}/raster-config-version.cmake DESTINATION ${RASTER_PACKAGE_DIR})
 
 # The .pc file names its own place where it can, so that a moved installation still works.

@@ -22,14 +22,14 @@ struct PixelRect {
 /// How far pictures may be apart and still pass. Without any, not at all. All that are given must be met.
 struct Gates {
     /// Largest difference of a sample, in its own steps: of 255 for 8 bits, of 65535 for 16 bits; floats as they are.
-    std::optional<double> max_delta;
+    std::optional<double> max_delta = {};
     /// How many pixels may differ by more than that.
-    std::optional<std::int64_t> max_pixels;
+    std::optional<std::int64_t> max_pixels = {};
     /// Edge noise: a pixel also passes if within so many pixels (a square around it, at most 16) the expected picture
     /// has the actual colour, and the actual picture the expected one; up to max_delta.
-    std::optional<int> max_shift;
+    std::optional<int> max_shift = {};
     /// Largest mean FLIP, 0 to 1. Given alone, it is all that is asked.
-    std::optional<double> flip;
+    std::optional<double> flip = {};
 
     friend bool operator==(const Gates&, const Gates&) = default;
 };
