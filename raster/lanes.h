@@ -6,6 +6,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -136,7 +137,8 @@ struct IntPack {
 
     IntPack() = default;
     IntPack(V v) : v(v) {}
-    IntPack(std::int32_t all) : v(detail::splat<V>(all)) {}
+    template <std::integral I>
+    IntPack(I all) : v(detail::splat<V>(std::int32_t(all))) {}
 
     Wrapping wrapping() const { return detail::bits<Wrapping>(v); }
     friend IntPack operator+(IntPack a, IntPack b) { return detail::bits<V>(a.wrapping() + b.wrapping()); }

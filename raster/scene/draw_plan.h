@@ -107,4 +107,9 @@ void with_shader(const PlannedDraw& d, const Visit& visit) {
     }
 }
 
+/// raster::draw with the shader of a planned draw, one shading frequency a source file: each compiles several shaders.
+DrawCounts draw_flat(Target& target, const PlannedDraw& planned);
+DrawCounts draw_gouraud(Target& target, const PlannedDraw& planned);
+DrawCounts draw_pixel_shaded(Target& target, const PlannedDraw& planned);
+
 }  // namespace raster

@@ -52,9 +52,11 @@ DrawCounts render(Target& target, const Model& model, const CameraMatrices& came
     DrawCounts counts;
     const DrawPlan plan(model, options, target.extra_channels() > 0);
     plan.for_each(camera, [&](const PlannedDraw& planned) {
-        with_shader(planned, [&](const auto& shader, const auto& mesh, const State& state) {
-            counts += draw(target, shader, mesh, state);
-        });
+        switch (planned.frequency) {
+            case ShadingFrequency::flat: counts += draw_flat(target, planned); break;
+            case ShadingFrequency::gouraud: counts += draw_gouraud(target, planned); break;
+            case ShadingFrequency::phong: counts += draw_pixel_shaded(target, planned); break;
+        }
     });
     return counts;
 }
