@@ -1,0 +1,37 @@
+// commands.h: what the command can do. A new command is one file and one line here.
+#pragma once
+
+#include <functional>
+
+#include <raster/result.h>
+
+namespace CLI {
+class App;
+}
+
+namespace raster::tool {
+
+/// A command after its flags are read. It gives the exit code, or an error that becomes one.
+using Run = std::function<Result<int>()>;
+
+/// Adds the flags and gives what is to be done with them.
+using AddFlags = Run (*)(CLI::App& app);
+
+Run add_render(CLI::App& app);
+Run add_demo(CLI::App& app);
+Run add_info(CLI::App& app);
+Run add_doctor(CLI::App& app);
+
+struct Command {
+    const char* name;
+    const char* summary;
+    AddFlags add;
+};
+inline constexpr Command commands[] = {
+    {"render", "Draws a picture of a model.", add_render},
+    {"demo", "Draws a teapot; needs no file.", add_demo},
+    {"info", "Tells what is in a model file, and the camera that frames it.", add_info},
+    {"doctor", "Tells how this program was built and what it finds on this machine.", add_doctor},
+};
+
+}  // namespace raster::tool

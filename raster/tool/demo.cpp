@@ -1,0 +1,72 @@
+// demo.cpp: `raster demo`: a first picture without any file.
+#include <filesystem>
+
+#include <models/obj_text.h>
+#include <raster/image/file.h>
+#include <raster/scene/shapes.h>
+
+#include "commands.h"
+#include "picture.h"
+#include "render_picture.h"
+#include "report.h"
+#include "view.h"
+
+namespace raster::tool {
+namespace {
+
+constexpr const char* model_path = "teapot.obj";
+
+struct DemoArguments {
+    ViewFlags view;
+    PictureFlags picture;
+    ThreadFlags threads;
+    OutputPlan outputs;
+    bool quiet = false;
+};
+
+Result<int> run_demo(DemoArguments& a) {
+    const Result<ViewPlan> plan = ViewPlan::make(a.view);
+    if (!plan) return plan.error();
+    if (a.outputs.picture.empty()) a.outputs.picture = "teapot.png";
+    if (const Status status = check(a.outputs, {a.view.json}); !status) return status.error();
+
+    Model model = teapot();
+    const PictureJob job{model, a.picture.options_for(model), *plan, a.outputs, false, true};
+    Progress progress(ProgressMode::none);
+    Status status = Done{};
+    with_threads(a.threads, [&] { status = render_pictures(job, progress); });
+    if (!status) return status.error();
+    if (a.quiet || is_standard_output(a.outputs.picture)) return exit_done;
+
+    // The model too, so that the next commands have something to work on; a file that is there is left alone.
+    std::error_code ignored;
+    const bool is_there = std::filesystem::exists(model_path, ignored);
+    if (!is_there) {
+        const std::string text = models::obj_text(model, "# The Utah teapot (Newell 1975), made by `raster demo`.\n", "");
+        if (const Status written = write_file(model_path, std::as_bytes(std::span(text))); !written) return written.error();
+    }
+    const Status printed = print(a.outputs.picture + "  the picture: the Utah teapot, " +
+                                 with_separators(std::int64_t(model.triangle_count())) + " triangles\n" + model_path +
+                                 (is_there ? "  was there already and is left alone\n" : "  the model\n") +
+                                 "\nTry next:\n"
+                                 "  raster render teapot.obj --shade flat --aov depth,normal\n"
+                                 "  raster render teapot.obj --turntable 12 --light point:pos=0,6,6:color=#ffd0a0\n"
+                                 "  raster info teapot.obj\n");
+    return printed ? Result<int>(exit_done) : printed.error();
+}
+
+}  // namespace
+
+Run add_demo(CLI::App& app) {
+    const auto a = std::make_shared<DemoArguments>();
+    add_value(app, "-o,--output", "FILE", a->outputs.picture, parse_path,
+              "The picture: .png, .ppm or .pfm; - is a PNG on standard output. [teapot.png]")
+        ->group("Picture");
+    add_view_flags(app, a->view);
+    add_picture_flags(app, a->picture);
+    add_thread_flags(app, a->threads);
+    add_switch(app, "-q,--quiet", a->quiet, "Say nothing but errors, and write the picture alone.")->group("Other flags");
+    return [a] { return run_demo(*a); };
+}
+
+}  // namespace raster::tool

@@ -1,0 +1,144 @@
+// picture.cpp: flags to RenderOptions and ObjOptions.
+#include "picture.h"
+
+#if !defined(RASTER_NO_THREADS)
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include "report.h"
+
+namespace raster::tool {
+namespace {
+
+constexpr int max_threads = 256;
+constexpr std::size_t max_warning_lines = 20;
+
+constexpr Choices<ShadingFrequency, 3> shadings = {{{"flat", ShadingFrequency::flat},
+                                                    {"gouraud", ShadingFrequency::gouraud},
+                                                    {"phong", ShadingFrequency::phong}}};
+constexpr Choices<Visibility, 2> visibilities = {{{"zbuffer", Visibility::zbuffer}, {"painter", Visibility::painter}}};
+constexpr Choices<Cull, 3> culls = {{{"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}}};
+constexpr Choices<FillRule, 2> fill_rules = {
+    {{"opengl", FillRule::bottom_left}, {"direct3d", FillRule::top_left}}};
+constexpr Choices<Filter, 2> filters = {{{"nearest", Filter::nearest}, {"bilinear", Filter::bilinear}}};
+constexpr Choices<Wrap, 3> wraps = {{{"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}, {"mirror", Wrap::mirror}}};
+constexpr Choices<int, 1> sample_counts = {{{"1", 1}}};
+
+Result<AnyReflectance> parse_reflectance(std::string_view text) {
+    if (const auto found = find_reflectance(text)) return *found;
+    std::vector<std::string> names;
+    std::string known;
+    for (const std::string_view name : reflectance_names()) {
+        names.emplace_back(name);
+        known += (known.empty() ? "" : ", ") + std::string(name);
+    }
+    return Error{ErrorKind::usage, in_quotes(text) + " is none of " + known + did_you_mean(text, names)};
+}
+
+}  // namespace
+
+void add_load_flags(CLI::App& app, LoadFlags& flags) {
+    app.add_option("MODEL", flags.model, "A Wavefront OBJ file; its materials and textures are found beside it.")
+        ->required()
+        ->group("Arguments");
+    ObjOptions& o = flags.options;
+    const auto angle = [](std::string_view text) { return parse_number_within(text, 0.0f, 180.0f); };
+    add_value(app, "--crease-angle", "DEG", o.crease_angle, angle,
+              "Where the file has no normals: edges sharper than this stay sharp, 0 to 180 degrees. [60, and as the"
+              " file's smoothing groups say]")
+        ->group("Model");
+    add_switch(app, "--strict", o.strict, "Faults in the model's files are errors (exit 1) instead of warnings.")
+        ->group("Model");
+    add_switch(app, "--allow-outside", o.allow_outside,
+               "Materials and textures may lie outside the model's folder.")
+        ->group("Model");
+}
+
+Result<Loaded> load(const LoadFlags& flags, Progress& progress, bool quiet) {
+    Loaded loaded;
+    ObjOptions options = flags.options;
+    options.progress = [&](double part) { progress.update(part); };
+    progress.begin("load");
+    Result<Model> model = load_obj(flags.model, options, loaded.report);
+    progress.end();
+    if (!quiet || !model) {
+        const std::vector<std::string> messages = loaded.report.messages();
+        for (std::size_t i = 0; i < std::min(messages.size(), max_warning_lines); ++i) say("warning: " + messages[i]);
+        if (messages.size() > max_warning_lines)
+            say("warning: " + counted(std::int64_t(messages.size() - max_warning_lines), "more kind") +
+                " of fault; `raster info` lists them");
+    }
+    if (!model) return model.error();
+    loaded.model = std::move(*model);
+    return loaded;
+}
+
+void add_picture_flags(CLI::App& app, PictureFlags& flags) {
+    RenderOptions& o = flags.options;
+    const auto shading = [](CLI::Option* option) { option->group("Shading"); };
+    shading(add_choice(app, "--shade", o.frequency, shadings,
+                       "How often light is computed: once a triangle, a vertex (colours are interpolated), or a pixel"
+                       " (normals are). [phong]"));
+    std::string names;
+    for (const std::string_view name : reflectance_names()) names += (names.empty() ? "" : "|") + std::string(name);
+    shading(add_value(app, "--reflectance", names, o.reflectance, parse_reflectance,
+                      "How surfaces reflect light. [blinn-phong]"));
+    shading(add_values(app, "--light", "LIGHT", flags.lights, parse_light, light_help));
+    shading(add_values(app, "--material", "CHANGE", flags.materials, parse_material, material_help));
+    shading(app.add_flag("--two-sided,!--no-two-sided", o.two_sided,
+                         "Light back faces from their own side, or like the front. [--two-sided]"));
+    shading(add_choice(app, "--texture-filter", o.filter, filters, "How a texture is read. [bilinear]"));
+    shading(add_choice(app, "--texture-wrap", o.wrap, wraps,
+                       "What lies beyond a texture's edges, where its material asks for no clamping. [repeat]"));
+    shading(app.add_flag("--textures,!--no-textures", o.textures, "Use textures, or not. [--textures]"));
+
+    const auto visibility = [](CLI::Option* option) { option->group("Visibility"); };
+    visibility(add_choice(app, "--hidden", o.visibility, visibilities,
+                          "How hidden surfaces are removed: by depth a pixel, or by drawing triangles from back to"
+                          " front. [zbuffer]", {"scanline"}));
+    visibility(add_choice(app, "--cull", o.cull, culls, "Which faces are left out. [none]"));
+    visibility(add_choice(app, "--fill-rule", o.fill_rule, fill_rules,
+                          "Who owns a pixel centre exactly on an edge: left and bottom edges, or left and top."
+                          " [opengl]"));
+    visibility(add_choice(app, "--samples", flags.samples, sample_counts,
+                          "Samples a pixel; 4, 8 and 16 are to come. [1]", {"4", "8", "16"}));
+    add_value(app, "--background", "COLOR", o.background, parse_background,
+              "R,G,B or R,G,B,A from 0 to 1, one number for a grey, #RRGGBB, #RRGGBBAA, or transparent; with an alpha"
+              " below 1 the picture has an alpha channel. [0.2]")
+        ->group("Picture");
+}
+
+RenderOptions PictureFlags::options_for(Model& model) const {
+    RenderOptions result = options;
+    if (!lights.empty()) result.lights.clear();
+    for (const std::vector<Light>& given : lights)
+        result.lights.insert(result.lights.end(), given.begin(), given.end());
+    for (const MaterialChange& change : materials) {
+        for (Material& material : model.materials) change.apply_to(material);
+        change.apply_to(result.default_material);
+    }
+    return result;
+}
+
+void add_thread_flags(CLI::App& app, ThreadFlags& flags) {
+    const auto parse = [](std::string_view text) { return parse_count(text, 1, max_threads); };
+    add_value(app, "--threads", "N", flags.threads, parse,
+              "Draw with this many threads, 1 to 256; the picture is the same. [one a processor]")
+        ->group("Other flags");
+}
+
+void with_threads(const ThreadFlags& flags, const std::function<void()>& work) {
+#if !defined(RASTER_NO_THREADS)
+    if (flags.threads) {
+        const auto count = std::size_t(*flags.threads);
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+        tbb::task_arena arena(*flags.threads);
+        arena.execute(work);
+        return;
+    }
+#endif
+    work();
+}
+
+}  // namespace raster::tool

@@ -1,0 +1,27 @@
+// specs.h: lights and materials as one word on the command line: point:pos=0,2,1:intensity=0.8.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <raster/result.h>
+#include <raster/scene/render.h>
+
+namespace raster::tool {
+
+/// What --light takes. `head` can be several lights.
+Result<std::vector<Light>> parse_light(std::string_view text);
+extern const char* const light_help;
+
+/// What --material changes; the rest stays as the model's file has it.
+struct MaterialChange {
+    std::optional<glm::vec3> color, ambient, diffuse, specular, emission;
+    std::optional<float> shininess, alpha, roughness, metallic, sheen;
+
+    void apply_to(Material& material) const;
+};
+Result<MaterialChange> parse_material(std::string_view text);
+extern const char* const material_help;
+
+}  // namespace raster::tool
