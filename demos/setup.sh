@@ -1,12 +1,13 @@
 # setup.sh: what demos/run.sh and tests/run.sh share: Debian packages by name, and how to build. Sourced by bash.
 
 build_packages=(cmake ninja-build g++ pkg-config
-    libglm-dev libtbb-dev libtinyobjloader-dev libdeflate-dev libstb-dev)
+    libglm-dev libtbb-dev libtinyobjloader-dev libdeflate-dev libstb-dev
+    libcli11-dev nlohmann-json3-dev)
 # bunny.obj; spider.obj and many more; cornell_box.obj
 model_packages=(glmark2-data assimp-testmodels)
 test_packages=(libgtest-dev libgmock-dev doxygen clang libclang-rt-14-dev libosmesa6-dev embree-tools)
 
-bench_packages=(libosmesa6-dev nlohmann-json3-dev)
+bench_packages=(libosmesa6-dev)
 
 # install_packages NAME...: installs those that are missing; says so; does nothing when all are there.
 install_packages() {
