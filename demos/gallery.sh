@@ -13,10 +13,12 @@ render() {
 }
 
 pictures=()
-render teapot models/teapot.obj
+render teapot models/teapot.obj --material color=0.75,0.3,0.12:specular=0.6:shininess=80 \
+    --light head --light directional:dir=-1,0.2,0.3:color=0.25,0.35,0.6:ambient=0
 render bunny /usr/share/glmark2/models/bunny.obj
 render spider /usr/share/assimp/models/OBJ/spider.obj
-render cornell_box models/cornell_box.obj
+render cornell_box models/cornell_box.obj --light point:pos=278,500,280:ambient=0.25 \
+    --camera-position 278,273,-800 --camera-focal-point 278,273,0 --camera-view-angle 40
 render torus-flat models/torus.obj --shade flat
 render torus-gouraud models/torus.obj --shade gouraud
 render torus-phong models/torus.obj --shade phong
@@ -24,7 +26,7 @@ render torus-phong models/torus.obj --shade phong
 echo
 echo "Pictures:"
 printf '  %s\n' "${pictures[@]}"
-echo "Next:"
-echo "  $raster render models/teapot.obj --turntable 36 -o out/turn.png"
+echo "Next, for example:"
+echo "  $raster render models/teapot.obj -o out/turn.png --turntable 36"
 echo "  $raster info /usr/share/assimp/models/OBJ/spider.obj"
-echo "  $raster --help"
+echo "  $raster render --help"
