@@ -15,7 +15,7 @@ float linear_to_srgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * p
 
 template <class T>
 const float* decoding_table() {
-    constexpr std::size_t size = std::size_t(std::numeric_limits<T>::max()) + 1;
+    static constexpr std::size_t size = std::size_t(std::numeric_limits<T>::max()) + 1;
     static const std::vector<float> table = [] {
         std::vector<float> values(size);
         for (std::size_t i = 0; i < size; ++i) values[i] = srgb_to_linear(float(i) / float(size - 1));

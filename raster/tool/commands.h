@@ -20,6 +20,8 @@ using AddFlags = Run (*)(CLI::App& app);
 Run add_render(CLI::App& app);
 Run add_demo(CLI::App& app);
 Run add_info(CLI::App& app);
+Run add_diff(CLI::App& app);
+Run add_approve(CLI::App& app);
 Run add_doctor(CLI::App& app);
 
 struct Command {
@@ -31,6 +33,8 @@ inline constexpr Command commands[] = {
     {"render", "Draws a picture of a model.", add_render},
     {"demo", "Draws a teapot; needs no file.", add_demo},
     {"info", "Tells what is in a model file, and the camera that frames it.", add_info},
+    {"diff", "Tells whether a picture is the one it should be, and shows how it is not.", add_diff},
+    {"approve", "Makes the actual pictures of a failed comparison the expected ones.", add_approve},
     {"doctor", "Tells how this program was built and what it finds on this machine.", add_doctor},
 };
 

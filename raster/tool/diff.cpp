@@ -1,0 +1,153 @@
+// diff.cpp: `raster diff`: compares a picture with the one it should be, or a folder of them. See docs/diff.md.
+#include <charconv>
+#include <filesystem>
+#include <limits>
+
+#include <raster/image/file.h>
+#include <raster/image/report.h>
+
+#include "commands.h"
+#include "flags.h"
+#include "report.h"
+
+namespace raster::tool {
+namespace {
+
+struct DiffArguments {
+    std::string expected, actual;
+    DiffOptions options;
+    std::string mask, out = "diff-out", junit;
+    bool json = false;
+};
+
+/// As POSIX diff: 0 and 1 are answers, all else is trouble.
+constexpr int exit_trouble = 2;
+
+Result<std::int64_t> parse_pixels(std::string_view text) {
+    const Result<int> count = parse_count(text, 0, std::numeric_limits<int>::max());
+    if (!count) return count.error();
+    return std::int64_t(*count);
+}
+
+/// A double, unlike parse_number: FLIP values and floats come with all their digits.
+Result<double> parse_limit(std::string_view text, double most) {
+    const Result<float> number = parse_number(text);
+    if (!number) return number.error();
+    if (*number < 0 || double(*number) > most)
+        return Error{ErrorKind::usage, in_quotes(text) + " is not within 0 to " + to_text(float(most))};
+    double value = 0;
+    if (text.front() == '+') text.remove_prefix(1);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+/// X,Y,WIDTH,HEIGHT
+Result<PixelRect> parse_rect(std::string_view text) {
+    std::vector<int> numbers;
+    for (const std::string_view piece : split(text, ',')) {
+        const Result<int> number = parse_count(piece, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+        if (number) numbers.push_back(*number);
+    }
+    if (numbers.size() != 4 || split(text, ',').size() != 4 || numbers[2] < 1 || numbers[3] < 1)
+        return Error{ErrorKind::usage, in_quotes(text) + " is no rectangle; expected X,Y,WIDTH,HEIGHT in pixels, as 10,20,64,32"};
+    return PixelRect{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+/// Compares one pair and keeps it in the report.
+Status compare(const FilePair& pair, const DiffOptions& options, DiffReport& report) {
+    Result<Comparison> comparison = diff_files(pair.expected_path, pair.actual_path, options);
+    if (!comparison) return comparison.error();
+    comparison->name = pair.name;
+    comparison->golden = pair.golden;
+    return report.add(*comparison, options.gates);
+}
+
+Result<std::vector<FilePair>> find_pairs(const DiffArguments& a) {
+    std::error_code ignored;
+    const bool folders = std::filesystem::is_directory(a.expected, ignored);
+    if (folders != std::filesystem::is_directory(a.actual, ignored))
+        return Error{ErrorKind::usage, (folders ? a.expected : a.actual) + " is a folder and " + (folders ? a.actual : a.expected) +
+                                           " is not; compare two files or two folders"};
+    if (!folders) {
+        // A name that is not there is a mistake of the command line, not a finding.
+        for (const std::string& path : {a.expected, a.actual})
+            if (!std::filesystem::exists(path, ignored)) return Error{ErrorKind::input_output, path + ": there is no such file"};
+        const std::string name = std::filesystem::path(a.expected).filename().string();
+        return std::vector<FilePair>{{name, a.expected, a.expected, a.actual}};
+    }
+    Result<std::vector<FilePair>> pairs = match_folders(a.expected, a.actual);
+    if (pairs && pairs->empty())
+        return Error{ErrorKind::bad_input, "there are no pictures in " + a.expected + " and none in " + a.actual};
+    return pairs;
+}
+
+Result<int> compare_all(DiffArguments& a) {
+    if (!a.mask.empty()) {
+        Result<Image8> mask = load_image8(a.mask);
+        if (!mask) return mask.error();
+        a.options.mask = std::move(*mask);
+    }
+    const Result<std::vector<FilePair>> pairs = find_pairs(a);
+    if (!pairs) return pairs.error();
+    if (!a.junit.empty())
+        if (const Status writable = check_writable(a.junit); !writable) return writable.error();
+
+    DiffReport report(a.out);
+    for (const FilePair& pair : *pairs)
+        if (const Status done = compare(pair, a.options, report); !done) return done.error();
+    if (const Status finished = report.finish(); !finished) return finished.error();
+    if (!a.junit.empty()) {
+        const std::string xml = report.junit();
+        if (const Status written = write_file(a.junit, std::as_bytes(std::span(xml))); !written) return written.error();
+    }
+    if (const Status printed = print(a.json ? report.json() : report.text()); !printed) return printed.error();
+    return report.exit_code();
+}
+
+Result<int> run_diff(DiffArguments& a) {
+    const Result<int> result = compare_all(a);
+    if (result) return result;
+    fail(result.error());
+    return exit_trouble;
+}
+
+}  // namespace
+
+Run add_diff(CLI::App& app) {
+    const auto a = std::make_shared<DiffArguments>();
+    Gates& gates = a->options.gates;
+    app.add_option("EXPECTED", a->expected, "The picture as it should be, or a folder of such pictures.")->required();
+    app.add_option("ACTUAL", a->actual, "The picture to judge, or a folder; there, files are matched by their names.")->required();
+
+    const char* group = "What may differ (without these: nothing)";
+    add_value(app, "--max-delta", "N", gates.max_delta,
+              [](std::string_view text) { return parse_limit(text, double(std::numeric_limits<float>::max())); },
+              "Samples may differ by N: of 255 in 8 bits, of 65535 in 16 bits, of floats as they are.")
+        ->group(group);
+    add_value(app, "--max-pixels", "N", gates.max_pixels, parse_pixels, "N pixels may differ by more.")->group(group);
+    add_value(app, "--max-shift", "N", gates.max_shift, [](std::string_view text) { return parse_count(text, 0, 16); },
+              "Pixels may lie up to N pixels elsewhere, 0 to 16: for noise at edges.")
+        ->group(group);
+    add_value(app, "--flip", "X", gates.flip, [](std::string_view text) { return parse_limit(text, 1); },
+              "The mean FLIP error may be X, 0 to 1. Given alone, nothing else is asked.")
+        ->group(group);
+    group = "What counts";
+    add_values(app, "--ignore", "X,Y,W,H", a->options.ignored, parse_rect, "Ignore a rectangle; may be given again.")->group(group);
+    add_value(app, "--mask", "FILE", a->mask, parse_path, "Compare where this picture is white, ignore where it is black.")->group(group);
+    add_value(app, "--pixels-per-degree", "X", a->options.pixels_per_degree,
+              [](std::string_view text) { return parse_number_within(text, 5, 500); },
+              "How FLIP's viewer sees the picture, 5 to 500; 67 is a wide screen at arm's length.")
+        ->group(group);
+    group = "What is written";
+    add_value(app, "-o,--out", "FOLDER", a->out, parse_path,
+              "On failure: report.html, diff.json, and for each picture its difference, a triptych and a copy of the actual one"
+              " (default: diff-out). When all pass, nothing.")
+        ->group(group);
+    add_switch(app, "--json", a->json, "Print diff.json instead of text.")->group(group);
+    add_value(app, "--junit", "FILE", a->junit, parse_path, "Write the results as JUnit XML, also when all pass.")->group(group);
+    app.footer("All figures are always told: count, max, mean, RMS, PSNR, SSIM, FLIP; and the tightest flags that would pass.\n"
+               "Exit codes: 0 same or within the flags, 1 different, 2 trouble.");
+    return [a] { return run_diff(*a); };
+}
+
+}  // namespace raster::tool
