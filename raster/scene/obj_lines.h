@@ -20,7 +20,7 @@ bool is_utf16(std::string_view bytes);
 
 /// Reads bytes as lines, so that what editors and systems put into files makes no difference: LF, CRLF and CR, a
 /// byte-order mark, blanks at the ends, a last line without end, a backslash that continues a line on the next.
-/// Empty lines and comments are left out; a comment cannot be continued (C:\textures\ at its end is common). Zero
+/// Empty lines and comments are left out; a comment cannot be continued (`C:/textures/` with backslashes at its end is common). Zero
 /// bytes become blanks. Takes linear time whatever the bytes are. `bytes` is not copied.
 class LineReader {
 public:

@@ -17,7 +17,7 @@ struct Place {
     std::size_t line = 0;  ///< from 1; 0 for the file as a whole
 };
 
-/// Text from a file, made fit for a message: control characters and broken UTF-8 as \xNN, cut when long.
+/// Text from a file, made fit for a message: control characters and broken UTF-8 as \\xNN, cut when long.
 std::string printable(std::string_view text);
 /// The same between quotes.
 std::string in_quotes(std::string_view text);

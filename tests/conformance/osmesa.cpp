@@ -106,13 +106,19 @@ Oracle::Oracle() {
 
 Oracle::~Oracle() { OSMesaDestroyContext(OSMesaContext(context_)); }
 
+std::string Oracle::string(unsigned name) const {
+    // Without a current context there are no strings: a first picture makes one current.
+    if (!glGetString(name)) const_cast<Oracle*>(this)->begin(1, 1, glm::vec4(0), 1);
+    return reinterpret_cast<const char*>(glGetString(name));
+}
+
 std::string Oracle::version() const {
-    const std::string full = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    const std::string full = string(GL_VERSION);
     const auto mesa = full.find("Mesa ");
     return mesa == std::string::npos ? full : full.substr(mesa);
 }
 
-std::string Oracle::renderer() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+std::string Oracle::renderer() const { return string(GL_RENDERER); }
 
 void Oracle::begin(int width, int height, glm::vec4 clear_color, float clear_depth) {
     width_ = width, height_ = height;

@@ -38,6 +38,7 @@ public:
     static void apply(const State& state, int width, int height);
 
 private:
+    std::string string(unsigned name) const;
     Oracle();
     void begin(int width, int height, glm::vec4 clear_color, float clear_depth);
     Picture end();
