@@ -188,6 +188,25 @@ TEST(Decode, AJpegOfEndlessScansIsRefused) {
     EXPECT_THAT(image.error().message, HasSubstr("too many scans"));
 }
 
+TEST(Decode, AJpegWhoseHuffmanTableIsTooLargeIsRefused) {
+    std::string jpeg = content(RASTER_SOURCE_DIR "/tests/fuzz/corpus/image/baseline.jpg");
+    const std::string lengths = std::string(14, '\0') + "\x80\x81";  // 257 codes of 15 and 16 bits
+    const std::string table = "\xff\xc4\x01\x14"s + '\0' + lengths + std::string(257, '\0');
+    EXPECT_THAT(error_of(jpeg.insert(2, table)), HasSubstr("a Huffman table of more than 256 codes"));
+}
+
+TEST(Decode, WhatAJpegLeavesOutIsTheSameOnEveryRun) {
+    // A restart interval of one block, but no restart markers: stb stops after the first block.
+    std::string jpeg = content(RASTER_SOURCE_DIR "/tests/fuzz/corpus/image/grey.jpg");
+    ASSERT_TRUE(raster::decode_image8(bytes_of(jpeg), "x.jpg"));  // leaves its samples in freed memory
+    jpeg.insert(jpeg.find("\xff\xda"), "\xff\xdd\0\4\0\1"s);
+    const auto image = raster::decode_image8(bytes_of(jpeg), "x.jpg");
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_NE(*image->pixel(0, 0), 0);
+    EXPECT_EQ(*image->pixel(12, 0), 0);
+    EXPECT_EQ(*image->pixel(12, 10), 0);
+}
+
 TEST(Decode, AFileCutShortAnywhereIsAnErrorAndNeverHalfAPicture) {
     for (const auto& [name, file] : corpus()) {
         const auto whole = raster::decode_image(bytes_of(file), name);

@@ -31,6 +31,7 @@ using ::testing::HasSubstr;
 
 /// Runs `body` in a child process and gives the status of waitpid; the body's value is the exit code.
 int in_child(const std::function<int()>& body) {
+    std::fflush(nullptr);  // or the child would print what waits in the parent's buffers
     const pid_t child = ::fork();
     if (child == 0) ::_exit(body());
     int status = -1;
@@ -153,6 +154,16 @@ TEST_F(File, ThreadsWritingTheSameFileLeaveOneOfTheirs) {
     const std::string now = content(in_folder("f"));
     EXPECT_EQ(now, std::string(10000, now[0]));
     EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(File, AFileThatHappensToHaveATemporarysNameIsSpared) {
+    const std::string start = in_folder(".raster-" + std::to_string(::getpid()) + "-");
+    std::vector<std::string> others;
+    for (int i = 0; i < 900; ++i) others.push_back(start + std::to_string(i) + ".tmp");
+    for (const std::string& other : others) std::ofstream(other) << "keep";
+    EXPECT_TRUE(raster::write_file(in_folder("f"), bytes_of("new")));
+    EXPECT_EQ(content(in_folder("f")), "new");
+    for (const std::string& other : others) EXPECT_EQ(content(other), "keep");
 }
 
 TEST_F(File, ANewFileObeysTheUmaskAndAReplacedOneKeepsItsMode) {

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include <raster/image/file.h>
+#include <raster/image/png_reader.h>
 #include <raster/image/pnm.h>
 #include <raster/image/stb_reader.h>
 
@@ -68,7 +69,10 @@ Result<Image<To>> as(Result<AnyImage> image, const std::string& name) {
 Result<AnyImage> decode_image(File file, const std::string& name, const ImageLimits& limits) {
     const auto stb = [&](StbFormat format) { return widen(read_with_stb(file, name, format, limits)); };
     const auto starts = [&](std::string_view magic) { return contains_at(file, 0, magic); };
-    if (starts("\x89PNG\r\n\x1a\n")) return stb(StbFormat::png);
+    if (starts("\x89PNG\r\n\x1a\n")) {
+        auto common = read_common_png(file, limits);
+        return common ? widen(Result(std::move(*common))) : stb(StbFormat::png);
+    }
     if (starts("\xff\xd8\xff")) return stb(StbFormat::jpeg);
     if (starts("BM")) return stb(StbFormat::bmp);
     if (starts("P5") || starts("P6")) return widen(decode_pnm(file, name, limits));

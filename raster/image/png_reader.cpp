@@ -199,7 +199,7 @@ bool undo_filters(int step, const Byte* in, std::size_t row_bytes, std::uint32_t
 
 }  // namespace
 
-std::optional<std::variant<Image8, Image16>> read_common_png(File file, const ImageLimits& limits) {
+std::optional<std::variant<Image8, Image16>> read_common_png(File file, const ImageLimits& limits) try {
     Contents contents;
     if (!read_header(file, limits, contents) || !read_chunks(file, contents)) return std::nullopt;
     const int step = contents.channels * contents.bits / 8;
@@ -227,6 +227,8 @@ std::optional<std::variant<Image8, Image16>> read_common_png(File file, const Im
         for (std::size_t i = 0; i < row_bytes; i += 2) *out++ = std::uint16_t(in[i] << 8 | in[i + 1]);
     }
     return image;
+} catch (const std::bad_alloc&) {
+    return std::nullopt;
 }
 
 }  // namespace raster

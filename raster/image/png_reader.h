@@ -13,8 +13,8 @@ namespace raster {
 
 /// Decodes a PNG file of 8 or 16 bits a sample, grey or colour, with or without alpha, and gives exactly what
 /// read_with_stb gives, several times as fast. Nothing for every other file, be it rarer (palette, interlaced,
-/// tRNS, fewer bits), above `limits` or damaged: read_with_stb then decodes it, or says what is wrong with it.
-/// Throws std::bad_alloc.
+/// tRNS, fewer bits), above `limits` or damaged, and when memory runs out: read_with_stb then decodes it, or
+/// says what is wrong.
 std::optional<std::variant<Image8, Image16>> read_common_png(std::span<const std::byte> file,
                                                              const ImageLimits& limits);
 

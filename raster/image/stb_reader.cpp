@@ -17,26 +17,22 @@ namespace {
 /// The memory stb may take: no block beyond `largest_block`, or a small file could unpack without end.
 struct Memory {
     std::size_t largest_block = 0;
-    bool refused = false;
+    bool refused = false;    ///< stb asked for more
+    bool exhausted = false;  ///< the system had no more
 };
 thread_local Memory memory;
 
 // Zeroed, so that even what stb never writes is the same on every run.
-void* stb_allocate(std::size_t size) {
-    if (size <= memory.largest_block) return std::calloc(1, size);
-    memory.refused = true;
-    return nullptr;
-}
-
 void* stb_reallocate(void* block, std::size_t old_size, std::size_t size) {
-    if (size > memory.largest_block) {
-        memory.refused = true;
-        return nullptr;
-    }
-    auto* grown = static_cast<unsigned char*>(std::realloc(block, size));
-    if (grown != nullptr && size > old_size) std::memset(grown + old_size, 0, size - old_size);
+    memory.refused |= size > memory.largest_block;
+    if (size > memory.largest_block) return nullptr;
+    void* grown = block == nullptr ? std::calloc(1, size) : std::realloc(block, size);
+    memory.exhausted |= grown == nullptr;
+    if (block != nullptr && grown != nullptr && size > old_size)
+        std::memset(static_cast<std::byte*>(grown) + old_size, 0, size - old_size);
     return grown;
 }
+void* stb_allocate(std::size_t size) { return stb_reallocate(nullptr, 0, size); }
 
 struct BrokenInvariant {};
 
@@ -207,15 +203,28 @@ struct Size {
     std::int64_t width, height;
 };
 
-/// The size in the header, or nothing when stb does not know the format.
+/// Before a call of stb, whose failures do not all set a reason.
+void prepare(std::size_t largest_block) {
+    memory = {largest_block, false, false};
+    stbi__g_failure_reason = nullptr;
+}
+
+/// Why the last call of stb failed.
+Error failure(const std::string& name, const Source& source) {
+    if (memory.exhausted) throw std::bad_alloc();
+    if (source.ran_dry()) return bad_input(name, "truncated");
+    if (memory.refused) return bad_input(name, "corrupt: unpacks to more than the size in its header");
+    const std::string reason = stbi_failure_reason() == nullptr ? "" : stbi_failure_reason();
+    const bool is_about_another_format = reason.empty() || reason == "bad png sig" || reason == "no SOI";
+    return bad_input(name, "corrupt or unusual" + (is_about_another_format ? "" : " (" + reason + ")"));
+}
+
 Result<Size> read_size(File file, const std::string& name) {
     int width = 0, height = 0, channels = 0;
     Source source(file);
-    memory = {std::size_t(1) << 20, false};
-    if (stbi_info_from_callbacks(&Source::callbacks(), &source, &width, &height, &channels) == 0) {
-        if (source.ran_dry()) return bad_input(name, "truncated");
-        return bad_input(name, std::string("damaged or unusual (") + stbi_failure_reason() + ")");
-    }
+    prepare(std::size_t(1) << 20);
+    if (stbi_info_from_callbacks(&Source::callbacks(), &source, &width, &height, &channels) == 0)
+        return failure(name, source);
     // A BMP of negative height has its top row first.
     return Size{width, std::abs(std::int64_t(height))};
 }
@@ -234,16 +243,10 @@ Result<Picture> read_pixels(File file, const std::string& name, Size size) {
     }();
     Source source(file);
     // 8 bytes a pixel at most, twice that while stb doubles a buffer; JPEG pads to blocks.
-    memory = {std::max(std::size_t(16 * (size.width + 64) * (size.height + 64)), 2 * file.size()), false};
+    prepare(std::max(std::size_t(16 * (size.width + 64) * (size.height + 64)), 2 * file.size()));
     const std::unique_ptr<T, Free> samples(
         load(&Source::callbacks(), &source, &width, &height, &channels, as_in_file));
-    if (source.ran_dry()) return bad_input(name, "truncated");
-    if (memory.refused) return bad_input(name, "corrupt: unpacks to more than the size in its header");
-    if (samples == nullptr) {
-        const std::string why = stbi_failure_reason();
-        if (why == "outofmem") throw std::bad_alloc();
-        return bad_input(name, "corrupt (" + why + ")");
-    }
+    if (samples == nullptr || source.ran_dry()) return failure(name, source);
     if (width != size.width || height != size.height) return bad_input(name, "corrupt: two sizes");
     Image<T> image(width, height, channels);
     std::copy_n(samples.get(), image.samples.size(), image.samples.begin());
