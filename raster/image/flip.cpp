@@ -59,7 +59,7 @@ public:
           source_stride_(round_up(width, row_block) + 2 * radius_ + native_lanes),
           source_(6 * std::size_t(source_stride_)),
           across_(planes, Ring(power_of_two_from(2 * radius_ + 1), round_up(width, row_block))),
-          down_(outputs, std::vector<float>(std::size_t(round_up(width, row_block)))),
+          results_(results, std::vector<float>(std::size_t(round_up(width, row_block)))),
           rows_(2 * std::size_t(radius_) + 1) {}
 
     /// Takes in row y. Row y can be asked for once the rows y - radius to y + radius were added, in order.
@@ -75,32 +75,30 @@ public:
             store(red_green + i, opponent.red_green);
             store(blue_yellow + i, opponent.blue_yellow);
         }
-        across(even, filters_.lightness, lightness, eye_lightness, y);
-        across(even, filters_.red_green, red_green, eye_red_green, y);
-        across(even, filters_.blue_yellow_1, blue_yellow, eye_blue_yellow_1, y);
-        across(even, filters_.blue_yellow_2, blue_yellow, eye_blue_yellow_2, y);
-        across(even, filters_.smooth, lightness, smooth, y);
-        across(odd, filters_.slope, lightness, slope, y);
-        across(even, filters_.bend, lightness, bend, y);
+        filter_rows(even, filters_.lightness, beside(lightness, filters_.lightness), width_, plane(eye_lightness, y));
+        filter_rows(even, filters_.red_green, beside(red_green, filters_.red_green), width_, plane(eye_red_green, y));
+        filter_rows_even_even(filters_.blue_yellow_1, filters_.blue_yellow_2,
+                              beside(blue_yellow, filters_.blue_yellow_1), width_, plane(eye_blue_yellow_1, y),
+                              plane(eye_blue_yellow_2, y));
+        filter_rows_even_odd_even(filters_.smooth, filters_.slope, filters_.bend, beside(lightness, filters_.smooth),
+                                  width_, plane(smooth, y), plane(slope, y), plane(bend, y));
     }
 
     /// Prepares what color(), edge() and point() tell of row y.
     void go_to_row(int y) {
-        down(even, filters_.lightness, eye_lightness, y, seen_lightness);
-        down(even, filters_.red_green, eye_red_green, y, seen_red_green);
-        down(even, filters_.blue_yellow_1, eye_blue_yellow_1, y, seen_blue_yellow);
-        down(even, filters_.blue_yellow_2, eye_blue_yellow_2, y, seen_blue_yellow, true);
-        down(even, filters_.smooth, slope, y, edge_x);
-        down(odd, filters_.slope, smooth, y, edge_y);
-        down(even, filters_.smooth, bend, y, point_x);
-        down(even, filters_.bend, smooth, y, point_y);
+        const auto rows = [&](Plane from, const Weights& weights) { return around(from, y, weights); };
+        filter_rows(even, filters_.lightness, rows(eye_lightness, filters_.lightness), width_, result(color_1));
+        filter_rows(even, filters_.red_green, rows(eye_red_green, filters_.red_green), width_, result(color_2));
+        filter_rows(even, filters_.blue_yellow_1, rows(eye_blue_yellow_1, filters_.blue_yellow_1), width_, result(color_3));
+        filter_rows(even, filters_.blue_yellow_2, rows(eye_blue_yellow_2, filters_.blue_yellow_2), width_, result(color_3), true);
+        filter_rows(even, filters_.smooth, rows(slope, filters_.smooth), width_, result(edge_x));
+        filter_rows(even, filters_.smooth, rows(bend, filters_.smooth), width_, result(point_x));
+        filter_rows_odd_even(filters_.slope, filters_.bend, rows(smooth, filters_.slope), width_, result(edge_y), result(point_y));
+        find_colors();
     }
 
     /// What the eye makes of the colours around the pixels i, i + 1, ...
-    flip::HuntLab<F> color(int i) const {
-        const flip::Opponent<F> seen = {at(seen_lightness, i), at(seen_red_green, i), at(seen_blue_yellow, i)};
-        return flip::hunt_lab_from_rgb(flip::clamped_rgb_from_opponent(seen));
-    }
+    flip::HuntLab<F> color(int i) const { return {at(color_1, i), at(color_2, i), at(color_3, i)}; }
     /// How much of an edge there is: the length of the gradient.
     F edge(int i) const { return length(at(edge_x, i), at(edge_y, i)); }
     /// How much of a point or thin line there is: the length of the second derivatives.
@@ -108,42 +106,66 @@ public:
 
 private:
     enum Plane { eye_lightness, eye_red_green, eye_blue_yellow_1, eye_blue_yellow_2, smooth, slope, bend, planes };
-    enum Output { seen_lightness, seen_red_green, seen_blue_yellow, edge_x, edge_y, point_x, point_y, outputs };
+    enum Result { color_1, color_2, color_3, edge_x, edge_y, point_x, point_y, results };
 
     static F length(F x, F y) { return sqrt(x * x + y * y); }
-    F at(Output output, int i) const { return load<F>(down_[output].data() + i); }
+    F at(Result from, int i) const { return load<F>(results_[from].data() + i); }
     float* source(int plane) { return source_.data() + plane * source_stride_; }
+    float* plane(Plane which, int y) { return across_[which].row(y); }
+    float* result(Result which) { return results_[which].data(); }
 
-    void across(FilterSymmetry symmetry, const Weights& weights, const float* from, Plane plane, int y) {
+    /// A row at the places that a filter along x looks at.
+    const float* const* beside(const float* from, const Weights& weights) {
         const int radius = int(weights.size()) - 1;
         for (int k = -radius; k <= radius; ++k) rows_[std::size_t(radius + k)] = from + radius_ + k;
-        filter_rows(symmetry, weights, rows_.data(), width_, across_[plane].row(y));
+        return rows_.data();
     }
-    void down(FilterSymmetry symmetry, const Weights& weights, Plane plane, int y, Output output, bool add = false) {
+    /// The rows that a filter along y looks at.
+    const float* const* around(Plane which, int y, const Weights& weights) {
         const int radius = int(weights.size()) - 1;
-        for (int k = -radius; k <= radius; ++k) rows_[std::size_t(radius + k)] = across_[plane].row(y + k);
-        filter_rows(symmetry, weights, rows_.data(), width_, down_[output].data(), add);
+        for (int k = -radius; k <= radius; ++k) rows_[std::size_t(radius + k)] = across_[which].row(y + k);
+        return rows_.data();
+    }
+
+    /// From opponent colours to colours as seen, in short loops: their steps do not wait for each other.
+    void find_colors() {
+        float *c1 = result(color_1), *c2 = result(color_2), *c3 = result(color_3);
+        for (int i = 0; i < width_; i += native_lanes) {
+            const flip::Opponent<F> seen = {at(color_1, i), at(color_2, i), at(color_3, i)};
+            const flip::RelativeXyz<F> xyz = flip::xyz_from_rgb(flip::clamped_rgb_from_opponent(seen));
+            store(c1 + i, xyz.x), store(c2 + i, xyz.y), store(c3 + i, xyz.z);
+        }
+        for (float* c : {c1, c2, c3})
+            for (int i = 0; i < width_; i += native_lanes) store(c + i, flip::lab_response(load<F>(c + i)));
+        for (int i = 0; i < width_; i += native_lanes) {
+            const auto lab = flip::hunt_lab_from_responses(at(color_1, i), at(color_2, i), at(color_3, i));
+            store(c1 + i, lab.l), store(c2 + i, lab.a), store(c3 + i, lab.b);
+        }
     }
 
     const Display& display_;
     const Filters& filters_;
     int x0_, width_, radius_;
     std::ptrdiff_t source_stride_;
-    std::vector<float> source_;             ///< planes of one row, with `radius` more pixels on both sides
-    std::vector<Ring> across_;              ///< for each Plane, rows filtered along x
-    std::vector<std::vector<float>> down_;  ///< for each Output, a row filtered along both
+    std::vector<float> source_;                ///< planes of one row, with `radius` more pixels on both sides
+    std::vector<Ring> across_;                 ///< for each Plane, rows filtered along x
+    std::vector<std::vector<float>> results_;  ///< for each Result, a row of the picture
     std::vector<const float*> rows_;
 };
 
 const flip::ErrorCurve curve;
 
-/// The error of the pixels i, i + 1, ... of the row both are at (sections 4.2 and 4.3).
-F error(const Filtered& expected, const Filtered& actual, int i) {
-    const F distance = flip::hyab(expected.color(i), actual.color(i));
-    const F edges = abs(expected.edge(i) - actual.edge(i));
-    const F points = abs(expected.point(i) - actual.point(i));
-    const F features = sqrt(max(edges, points) * 0.707106781f);
-    return curve.to_power<F>(distance, max(F(1.0f) - features, 0.0f));
+/// The errors of the row both are at (sections 4.2 and 4.3). `scratch` is as long as `errors`.
+void find_errors(const Filtered& expected, const Filtered& actual, int width, float* errors, float* scratch) {
+    for (int i = 0; i < width; i += native_lanes) {
+        const F edges = abs(expected.edge(i) - actual.edge(i));
+        const F points = abs(expected.point(i) - actual.point(i));
+        const F features = sqrt(max(edges, points) * 0.707106781f);
+        store(scratch + i, max(F(1.0f) - features, 0.0f));
+        store(errors + i, flip::hyab(expected.color(i), actual.color(i)));
+    }
+    for (int i = 0; i < width; i += native_lanes)
+        store(errors + i, curve.to_power<F>(load<F>(errors + i), load<F>(scratch + i)));
 }
 
 void fill_tile(const Display& expected_display, const Display& actual_display, const Filters& filters, int x0, int y0,
@@ -151,7 +173,7 @@ void fill_tile(const Display& expected_display, const Display& actual_display, c
     const int width = std::min(tile_width, map.width - x0), y1 = std::min(y0 + tile_height, map.height);
     const int radius = filters.radius();
     Filtered expected(expected_display, filters, x0, width), actual(actual_display, filters, x0, width);
-    std::vector<float> errors(std::size_t(round_up(width, native_lanes)));
+    std::vector<float> errors(std::size_t(round_up(width, native_lanes))), scratch(errors.size());
     for (int y = y0 - radius; y < y1 + radius; ++y) {
         expected.add_row(y);
         actual.add_row(y);
@@ -159,7 +181,7 @@ void fill_tile(const Display& expected_display, const Display& actual_display, c
         if (center < y0) continue;
         expected.go_to_row(center);
         actual.go_to_row(center);
-        for (int i = 0; i < width; i += native_lanes) store(errors.data() + i, error(expected, actual, i));
+        find_errors(expected, actual, width, errors.data(), scratch.data());
         float* out = map.pixel(x0, center);
         // Over two backgrounds, the larger error stays.
         for (int i = 0; i < width; ++i) out[i] = max(errors[std::size_t(i)], out[i]);

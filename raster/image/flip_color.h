@@ -104,17 +104,24 @@ Rgb<F> clamped_rgb_from_opponent(const Opponent<F>& c) {
             clamp(row(to_rgb, 2, x, c.y, z), 0.0f, 1.0f)};
 }
 
+/// CIELAB's response to a relative tristimulus value.
+template <FloatOrPack F>
+F lab_response(F t) {
+    constexpr float delta = 6.0f / 29.0f;
+    const F root = cube_root<F>(max(t, delta * delta * delta));
+    return select(t > delta * delta * delta, root, t * (1.0f / (3.0f * delta * delta)) + 4.0f / 29.0f);
+}
+
+template <class F>
+HuntLab<F> hunt_lab_from_responses(F x, F y, F z) {
+    const F l = y * 116.0f - 16.0f;
+    return {l, (x - y) * 5.0f * l, (y - z) * 2.0f * l};  // 0.01 L times 500 and 200
+}
+
 template <class F>
 HuntLab<F> hunt_lab_from_rgb(const Rgb<F>& c) {
-    constexpr float delta = 6.0f / 29.0f;
-    const auto f = [](F t) {
-        const F root = cube_root<F>(max(t, delta * delta * delta));
-        return select(t > delta * delta * delta, root, t * (1.0f / (3.0f * delta * delta)) + 4.0f / 29.0f);
-    };
     const RelativeXyz<F> xyz = xyz_from_rgb(c);
-    const F fx = f(xyz.x), fy = f(xyz.y), fz = f(xyz.z);
-    const F l = fy * 116.0f - 16.0f;
-    return {l, (fx - fy) * 5.0f * l, (fy - fz) * 2.0f * l};  // 0.01 L times 500 and 200
+    return hunt_lab_from_responses(lab_response(xyz.x), lab_response(xyz.y), lab_response(xyz.z));
 }
 
 /// Distance that fits large colour differences: lightness by itself, hue and chroma together (Abasi, Tehran,

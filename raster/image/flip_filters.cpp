@@ -52,12 +52,13 @@ Filters::Filters(float pixels_per_degree) {
     const double whole = height_1 * sum_1 * sum_1 + height_2 * sum_2 * sum_2;
     blue_yellow_1 = finish(first, std::sqrt(height_1 / whole));
     blue_yellow_2 = finish(second, std::sqrt(height_2 / whole));
+    blue_yellow_2.resize(blue_yellow_1.size());  // the narrower one; they run together
 
     // The eye's edge detector has its peak and trough 0.082 degrees apart: two standard deviations.
     const double deviation = 0.5 * 0.082 * ppd;
     const int feature_radius = int(std::ceil(3 * deviation));
     const std::vector<double> bell = gaussian(1 / (2 * deviation * deviation), feature_radius);
-    smooth = finish(bell, 1 / sum_of_both_sides(bell));
+    for (const double w : bell) smooth.push_back(float(w / sum_of_both_sides(bell)));
 
     // Of derivatives, what is above zero sums to 1 and what is below to -1.
     std::vector<double> first_derivative, second_derivative;

@@ -21,4 +21,14 @@ enum class FilterSymmetry {
 void filter_rows(FilterSymmetry symmetry, const std::vector<float>& weights, const float* const* rows, int count,
                  float* out, bool add = false);
 
+/// Several such sums over the same rows at once, which saves loads: of two even filters; an odd and an even one; an
+/// even, an odd and an even one. The same bits as one after the other. All have as many weights.
+void filter_rows_even_even(const std::vector<float>& weights_1, const std::vector<float>& weights_2,
+                           const float* const* rows, int count, float* out_1, float* out_2);
+void filter_rows_odd_even(const std::vector<float>& odd, const std::vector<float>& even, const float* const* rows,
+                          int count, float* out_odd, float* out_even);
+void filter_rows_even_odd_even(const std::vector<float>& even_1, const std::vector<float>& odd,
+                               const std::vector<float>& even_2, const float* const* rows, int count, float* out_1,
+                               float* out_odd, float* out_2);
+
 }  // namespace raster
