@@ -146,6 +146,14 @@ TEST(ObjDocument, PartsFollowNamesAndMaterials) {
     EXPECT_THAT(parts, ElementsAre(Pair("", 3u), Pair("some group", 6u), Pair("default", 3u), Pair("a b", 6u)));
 }
 
+TEST(ObjDocument, APartWhoseFacesWereAllDroppedIsNone) {
+    const Loaded l = parse(triangle + "g a\nf 1 1 2\ng b\nf 1 2 3\ng c\nf 1 2\nf 2 2 2\n");
+    ASSERT_TRUE(l.ok());
+    expect_sound(*l.model);
+    ASSERT_EQ(l.model->parts.size(), 1u);
+    EXPECT_EQ(l.model->parts[0].name, "b");
+}
+
 TEST(ObjDocument, LongNamesAreCutSoThatManyPartsDoNotFillTheMemory) {
     const Loaded l = parse(triangle + "g " + std::string(100'000, 'x') + "\nf 1 2 3\n");
     ASSERT_TRUE(l.ok()) << l.error();

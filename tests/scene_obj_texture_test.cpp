@@ -154,6 +154,11 @@ TEST(ObjTextures, AllTogetherStayBelowTheLimit) {
     options.max_texture_bytes = 300;
     EXPECT_THAT(t.load("a.png", options).warnings(),
                 ElementsAre(HasSubstr("a.png': 10x10 pixels: more than 75 in all")));
+    // Three of 300 bytes leave 100, which may be 25 pixels.
+    for (const char* name : {"b.png", "c.png", "d.png"}) t.folder.write(name, bytes_of(Image8(10, 10, 3, 9)));
+    options.max_texture_bytes = 1000;
+    EXPECT_THAT(t.load("a.png\nmap_Ka b.png\nmap_Ks c.png\nmap_Ke d.png", options).warnings(),
+                ElementsAre(HasSubstr("m.mtl:5: texture 'd.png': 10x10 pixels: more than 25 in all")));
     options.load_textures = false;
     const Loaded l = t.load("a.png", options);
     EXPECT_THAT(l.warnings(), IsEmpty());

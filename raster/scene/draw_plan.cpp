@@ -37,7 +37,8 @@ DrawPlan::DrawPlan(const Model& model, const RenderOptions& options, bool terms)
     if (model.parts.empty()) add(default_material, 0, model.triangle_count());
     for (const Part& part : model.parts) {
         const bool known = part.material >= 0 && std::size_t(part.material) < model.materials.size();
-        const std::size_t end = std::min<std::size_t>(part.first_index + std::size_t(part.index_count), model.indices.size());
+        const std::size_t end =
+            std::min<std::size_t>(part.first_index + std::size_t(part.index_count), model.indices.size());
         const std::size_t first = std::min<std::size_t>(part.first_index, end);
         add(known ? std::size_t(part.material) : default_material, first / 3, (end - first) / 3);
     }
@@ -117,7 +118,8 @@ void DrawPlan::emit(PlannedDraw& draw, const Run& run, const std::function<void(
     draw.reflectance = material.reflectance;
     draw.state = state_for(run);
     // A vertex does not know its side, so Gouraud's plain shader has one only.
-    const bool both_sides = draw.frequency == ShadingFrequency::gouraud && options_.two_sided && draw.state.cull != Cull::back;
+    const bool both_sides =
+        draw.frequency == ShadingFrequency::gouraud && options_.two_sided && draw.state.cull != Cull::back;
     draw.level = terms_ ? Detail::terms : material.surface.is_plain() && !both_sides ? Detail::plain : Detail::mapped;
     std::vector<FaceLight> faces;
     if (draw.frequency == ShadingFrequency::flat) faces = light_faces(draw.uniforms, {draw.reflectance}, draw.mesh);

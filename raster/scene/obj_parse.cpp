@@ -84,10 +84,10 @@ private:
         } else if (key == "g") {
             statement_ = join("g ", text.empty() ? "default" : text);
         } else if (key == "mtllib") {
-            // The names are taken from the line itself: tinyobjloader splits them at blanks and eats backslashes,
-            // asks for one of them only, and never twice for the same.
+            // The names are taken from the line itself: tinyobjloader splits them at blanks, eats backslashes, and
+            // asks only until it has found one.
             mtllib_names_ = text;
-            statement_ = "mtllib " + std::to_string(lines_.line());
+            statement_ = "mtllib names";
         } else {
             handle(key, text);
             return false;

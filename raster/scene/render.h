@@ -38,7 +38,7 @@ Material default_material();
 struct RenderOptions {
     ShadingFrequency frequency = ShadingFrequency::phong;
     AnyReflectance reflectance = BlinnPhong{};
-    bool reflectance_from_material = true;  ///< materials set the model's parameters (Ns the exponent); else as they are
+    bool reflectance_from_material = true;  ///< materials set the model's parameters (Ns its exponent); else as given
     std::vector<Light> lights = default_lights();
     AmbientColor ambient_color = AmbientColor::diffuse;
     Material default_material = raster::default_material();
@@ -58,9 +58,9 @@ struct RenderOptions {
     glm::vec3 grain_world{0.0f, 1.0f, 0.0f};  ///< the direction of brush marks, for anisotropic reflectance
 };
 
-/// Clears the target to the background and draws the model, part by part with its material. A target with extra channels
-/// gets the planes of shaded_plane (shading/uniforms.h) too, as many as it has room for; the colours stay the same but
-/// for Gouraud's rounding. What blends leaves its own values in the extra planes.
+/// Clears the target to the background and draws the model, part by part with its material. A target with extra
+/// channels gets the planes of shaded_plane (shading/uniforms.h) too, as many as it has room for; the colours stay the
+/// same but for Gouraud's rounding. What blends leaves its own values in the extra planes.
 DrawCounts render(Target& target, const Model& model, const CameraMatrices& camera, const RenderOptions& options = {});
 
 /// How often each pixel is written by the same draws, in the red channel of `counts`, which has float colours.

@@ -115,13 +115,13 @@ double Triangulator::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) con
     return signed_area(ring_[a].at, ring_[b].at, ring_[c].at);
 }
 
-/// The fan is right if the directions from the apex to the other corners turn one way and less than half a
-/// circle: then the apex sees all of the polygon.
+/// The fan is right if the directions from the apex to the other corners all turn one way: then the apex sees all of
+/// the polygon.
 bool Triangulator::fan_from(std::uint32_t apex) {
     const auto n = std::uint32_t(ring_.size());
     const auto nth = [&](std::uint32_t i) { return apex + i < n ? apex + i : apex + i - n; };
     for (std::uint32_t i = 1; i + 1 < n; ++i)
-        if (!(turn(apex, nth(i), nth(i + 1)) > 0 && turn(apex, nth(1), nth(i + 1)) > 0)) return false;
+        if (!(turn(apex, nth(i), nth(i + 1)) > 0)) return false;
     fan_in_space(apex);
     return true;
 }

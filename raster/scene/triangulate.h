@@ -85,9 +85,9 @@ private:
     std::vector<Candidate> queue_;
     std::size_t queue_head_ = 0;
     std::uint32_t leaves_ = 0;
-    std::uint32_t left_ = 0;              ///< vertices not cut off yet
-    std::int64_t visits_ = 0;             ///< tree nodes that this polygon may still look at
-    std::int64_t savings_ = 400'000'000;  ///< what all polygons may use beyond their share
+    std::uint32_t left_ = 0;               ///< vertices not cut off yet
+    std::int64_t visits_ = 0;              ///< tree nodes that this polygon may still look at
+    std::int64_t patience_ = 128'000'000;  ///< visits left for polygons that cross themselves
 };
 
 }  // namespace raster
