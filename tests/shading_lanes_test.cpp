@@ -92,7 +92,8 @@ TEST(Shaders, LightFacesInLanesExactlyAsOneByOne) {
     const Scene scene(three_kinds_of_light());
     Random random(33);
     std::vector<SurfaceVertex<float>> vertices;
-    for (int i = 0; i < 3 * 101; ++i) vertices.push_back(vertex_at(unit_vector(random) * 2.0f, {}, {}, unit_vector(random)));
+    for (int i = 0; i < 3 * 101; ++i)
+        vertices.push_back(vertex_at(unit_vector(random) * 2.0f, {}, {}, unit_vector(random)));
     const RuntimeModel model{BlinnPhong{}};
     const auto faces = light_faces(scene.u, model, {vertices, {}});
     ASSERT_EQ(faces.size(), 101u);

@@ -39,7 +39,8 @@ TEST(PointLight, IsNeverStrongerThanItsIntensity) {
     light.kind = LightKind::point;
     for (const Attenuation a : {Attenuation{0, 0, 1}, {0, 1, 0}, {0.1f, 0, 0}, {0, 0, 0}}) {
         light.attenuation = a;
-        for (const float distance : {0.0f, 1e-20f, 1e-3f, 0.5f}) EXPECT_EQ(sample_at(light, {0, 0, distance}).strength, 1.0f);
+        for (const float distance : {0.0f, 1e-20f, 1e-3f, 0.5f})
+            EXPECT_EQ(sample_at(light, {0, 0, distance}).strength, 1.0f);
     }
     light.attenuation = {0, 0, 1};
     EXPECT_EQ(sample_at(light, {0, 0, 2}).strength, 0.25f);  // past 1, 1/d^2 again
@@ -110,7 +111,8 @@ TEST(Lights, TellTwoParallelPlanesApartOnlyByTheirDecay) {
     const auto brightness = [&](float z) {
         const std::array lights = {light};
         const Lighting lighting = make_lighting(lights, glm::mat4(1.0f));
-        return illuminate(Lambert{}, lighting.lights, Frame<float>{{0, 0, 1}, {0, 0, 1}, {}, {}}, glm::vec3(0, 0, z)).diffuse.x;
+        return illuminate(Lambert{}, lighting.lights, Frame<float>{{0, 0, 1}, {0, 0, 1}, {}, {}}, glm::vec3(0, 0, z))
+            .diffuse.x;
     };
     EXPECT_EQ(brightness(0), brightness(5));
     light.attenuation = {0, 0.2f, 0};

@@ -210,7 +210,8 @@ TEST(Render, FillsTheExtraPlanesWithoutChangingThePicture) {
                                       plane(shaded_plane::diffuse, c) + plane(shaded_plane::specular, c);
                     ASSERT_NEAR(std::min(sum, 1.0f), color[c], 0.51f / 255);
                 }
-                const glm::vec3 n(plane(shaded_plane::normal, 0), plane(shaded_plane::normal, 1), plane(shaded_plane::normal, 2));
+                const glm::vec3 n(plane(shaded_plane::normal, 0), plane(shaded_plane::normal, 1),
+                                  plane(shaded_plane::normal, 2));
                 ASSERT_NEAR(glm::length(n), 1, 1e-5);
             }
         }
@@ -242,10 +243,12 @@ TEST(Render, NumbersTrianglesAsTheModelDoesInAnyOrderOfDrawing) {
     options.frequency = ShadingFrequency::flat;
     Model layers;
     layers.materials.resize(2);
-    for (int i = 0; i < 4; ++i) add_quad(layers, square(-1, -1, 1.0f - 0.5f * float(i), 1, float(i % 3)), {0, 0, 1}, i % 2);
+    for (int i = 0; i < 4; ++i)
+        add_quad(layers, square(-1, -1, 1.0f - 0.5f * float(i), 1, float(i % 3)), {0, 0, 1}, i % 2);
     const Target painted = picture(layers, options, shaded_plane::triangle + 1);
     options.visibility = Visibility::zbuffer;
-    EXPECT_EQ(painted.extra(shaded_plane::triangle), picture(layers, options, shaded_plane::triangle + 1).extra(shaded_plane::triangle));
+    EXPECT_EQ(painted.extra(shaded_plane::triangle),
+              picture(layers, options, shaded_plane::triangle + 1).extra(shaded_plane::triangle));
     EXPECT_EQ(painted.color8(), picture(layers, options).color8());
 }
 

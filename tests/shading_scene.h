@@ -75,6 +75,7 @@ void for_each_drawn(const Target& target, const See& see) {
     EXPECT_GT(drawn, 100);
 }
 
-inline const std::vector<SurfaceVertex<float>> slanted = {vertex_at({-1, -1, -1.5f}), vertex_at({2, -1, -3}), vertex_at({0, 1, -2})};
+inline const std::vector<SurfaceVertex<float>> slanted = {vertex_at({-1, -1, -1.5f}), vertex_at({2, -1, -3}),
+                                                          vertex_at({0, 1, -2})};
 
 }  // namespace raster::testing

@@ -29,9 +29,10 @@ TEST(PixelShader, IsTheFormulaAtEveryPixel) {
         const double d = glm::length(to_light), f = std::min(1.0, 1 / (0.25 + 0.25 * d + 0.25 * d * d));
         for (int i = 0; i < 3; ++i) {
             const SurfaceMaterial& m = scene.u.material;
-            const double expected = m.emission[i] + double(scene.u.ambient[i]) * m.ambient[i] +
-                                    f * bulb.diffuse[i] * m.diffuse[i] * std::max(0.0, glm::dot(n, l)) +
-                                    f * bulb.specular[i] * m.specular[i] * std::pow(std::max(0.0, glm::dot(r, v)), 10.0);
+            const double expected =
+                m.emission[i] + double(scene.u.ambient[i]) * m.ambient[i] +
+                f * bulb.diffuse[i] * m.diffuse[i] * std::max(0.0, glm::dot(n, l)) +
+                f * bulb.specular[i] * m.specular[i] * std::pow(std::max(0.0, glm::dot(r, v)), 10.0);
             ASSERT_NEAR(color[i], expected, 2e-5) << x << " " << y;
         }
     });
@@ -86,7 +87,8 @@ TEST(FlatShader, GivesATriangleOneColourLitAtItsCentroidWithItsOwnNormal) {
 
 TEST(FlatShader, StaysOneColourWhereTheTriangleIsClipped) {
     const Scene scene;
-    const std::vector<SurfaceVertex<float>> through = {vertex_at({-1, -1, 1}), vertex_at({3, -1, -4}), vertex_at({-1, 2, -4})};
+    const std::vector<SurfaceVertex<float>> through = {vertex_at({-1, -1, 1}), vertex_at({3, -1, -4}),
+                                                       vertex_at({-1, 2, -4})};
     const auto faces = light_faces(scene.u, {Lambert{}}, {through});
     const auto target = draw_scene(FlatShader<Detail::plain>{scene.u, faces}, {through});
     const glm::vec4 expected = plain_sum(plain_colors(scene.u.material), scene.u.ambient, faces[0].lit);

@@ -50,7 +50,9 @@ const glm::vec3 red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1);
 
 TEST(PainterOrder, IsFarthestFirstByEitherKeyAndKeepsTheOrderOfEquals) {
     Model model;
-    const auto at = [&](float z0, float z1, float z2) { add_triangle(model, {glm::vec3(0, 0, z0), {1, 0, z1}, {0, 1, z2}}, red); };
+    const auto at = [&](float z0, float z1, float z2) {
+        add_triangle(model, {glm::vec3(0, 0, z0), {1, 0, z1}, {0, 1, z2}}, red);
+    };
     at(-3, -3, -3);   // 0: mean 3, farthest 3
     at(-1, -1, -10);  // 1: mean 4, farthest 10
     at(-5, -5, -5);   // 2: mean 5, farthest 5
@@ -65,8 +67,9 @@ TEST(PainterOrder, IsFarthestFirstByEitherKeyAndKeepsTheOrderOfEquals) {
 
 TEST(PainterOrder, TakesDepthsThatAreNoNumbers) {
     const float inf = std::numeric_limits<float>::infinity();
-    const std::vector<SurfaceVertex<float>> vertices = {vertex_at({0, 0, inf}), vertex_at({0, 0, -inf}), vertex_at({0, inf, 0}),
-                                                        vertex_at({0, 0, -2}), vertex_at({0, 0, -1})};
+    const std::vector<SurfaceVertex<float>> vertices = {vertex_at({0, 0, inf}), vertex_at({0, 0, -inf}),
+                                                        vertex_at({0, inf, 0}), vertex_at({0, 0, -2}),
+                                                        vertex_at({0, 0, -1})};
     const std::uint32_t indices[] = {0, 1, 2, 3, 3, 3, 4, 4, 4, 3, 3, 77};
     auto order = painter_order(vertices, indices, glm::mat4(1.0f));
     std::sort(order.begin(), order.end());
@@ -106,10 +109,12 @@ Model cyclic_trio() {
     Model model;
     const auto bar = [&](double degrees, glm::vec3 color) {
         const auto turned = [&](float x, float y, float z) {
-            const float c = float(std::cos(degrees * 3.14159265358979 / 180)), s = float(std::sin(degrees * 3.14159265358979 / 180));
+            const float c = float(std::cos(degrees * 3.14159265358979 / 180)),
+                        s = float(std::sin(degrees * 3.14159265358979 / 180));
             return glm::vec3(c * x - s * y, s * x + c * y, z);
         };
-        add_triangle(model, {turned(-2.5f, -1.2f, -0.6f), turned(2.8f, -1.0f, 0.6f), turned(-2.5f, -0.6f, -0.6f)}, color);
+        add_triangle(model, {turned(-2.5f, -1.2f, -0.6f), turned(2.8f, -1.0f, 0.6f), turned(-2.5f, -0.6f, -0.6f)},
+                     color);
     };
     bar(0, red);
     bar(120, green);

@@ -1,5 +1,5 @@
-// blinn_phong.h: the highlight from the half vector (Blinn, Models of Light Reflection for Computer Synthesized Pictures,
-// 1977).
+// blinn_phong.h: the highlight from the half vector (Blinn, Models of Light Reflection for Computer Synthesized
+// Pictures, 1977).
 #pragma once
 
 #include <raster/math.h>
@@ -7,8 +7,8 @@
 
 namespace raster {
 
-/// Diffuse n l, specular (n h)^exponent, where h = (l + v) / |l + v|. Unlike Phong's, the highlight does not end where r
-/// and v are more than 90 degrees apart. Empirical: it does not conserve energy.
+/// Diffuse n l, specular (n h)^exponent, where h = (l + v) / |l + v|. Unlike Phong's, the highlight does not end where
+/// r and v are more than 90 degrees apart. Empirical: it does not conserve energy.
 struct BlinnPhong {
     /// What is made of the shininess alpha. The half vector turns half as fast as the mirror direction, so the same
     /// exponent gives a highlight about twice as wide as Phong's.
@@ -26,8 +26,8 @@ struct BlinnPhong {
     template <class F>
     Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
         const F n_l = glm::dot(frame.n, l);
-        // (n h)^2 = (n l + n v)^2 / |l + v|^2 and |l + v|^2 = 2 + 2 l v: no square root is needed. Where l = -v there is
-        // no half vector; the floor below makes that 0.
+        // (n h)^2 = (n l + n v)^2 / |l + v|^2 and |l + v|^2 = 2 + 2 l v: no square root is needed. Where l = -v there
+        // is no half vector; the floor below makes that 0.
         const F sum = max(n_l + glm::dot(frame.n, frame.v), F(0));
         const F squared = (sum * sum) / max(F(2) + F(2) * glm::dot(l, frame.v), F(1e-12f));
         const float power = convention == Exponent::alpha ? exponent : exponent * 0.25f;

@@ -48,7 +48,9 @@ std::vector<FaceLight> light_faces(const ShadingUniforms& u, const RuntimeModel&
         for (std::size_t block = c * chunk; block < std::min((c + 1) * chunk, blocks); ++block) {
             const Face<FloatN> face = gather_faces<FloatN>(mesh, block * n, count);
             const LitFace<FloatN> lit = light_face(u, model, face);
-            const auto pick = [](const vec<3, FloatN>& v, int i) { return glm::vec3(lane(v.x, i), lane(v.y, i), lane(v.z, i)); };
+            const auto pick = [](const vec<3, FloatN>& v, int i) {
+                return glm::vec3(lane(v.x, i), lane(v.y, i), lane(v.z, i));
+            };
             for (std::size_t i = block * n; i < std::min(block * n + n, count); ++i) {
                 const int l = int(i - block * n);
                 faces[i] = {{pick(lit.lit.diffuse, l), pick(lit.lit.specular, l)}, pick(lit.normal_eye, l),

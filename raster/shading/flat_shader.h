@@ -26,8 +26,8 @@ struct LitFace {
     vec<3, F> normal_eye;
 };
 
-/// Lights a face: the plane's normal from its corners, which run counter-clockwise seen from the front. One without area
-/// has no normal and no light.
+/// Lights a face: the plane's normal from its corners, which run counter-clockwise seen from the front. One without
+/// area has no normal and no light.
 template <class F>
 inline LitFace<F> light_face(const ShadingUniforms& u, const RuntimeModel& model, const Face<F>& face) {
     vec<3, F> a = eye_position(u, face.position[0]);

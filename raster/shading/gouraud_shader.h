@@ -1,5 +1,5 @@
-// gouraud_shader.h: Gouraud shading: vertices are lit and the result is interpolated (Gouraud, Continuous Shading of Curved
-// Surfaces, 1971).
+// gouraud_shader.h: Gouraud shading: vertices are lit and the result is interpolated (Gouraud, Continuous Shading of
+// Curved Surfaces, 1971).
 #pragma once
 
 #include <raster/shading/models.h>
@@ -12,8 +12,8 @@ template <class F>
 struct GouraudVaryings {
     vec<3, F> color;
 };
-/// Light, not colour: what varies faster than the vertices multiplies it in the pixel. Both sides, as OpenGL's two-sided
-/// lighting has it, since a vertex does not know from which side its triangle is seen.
+/// Light, not colour: what varies faster than the vertices multiplies it in the pixel. Both sides, as OpenGL's
+/// two-sided lighting has it, since a vertex does not know from which side its triangle is seen.
 template <class F>
 struct MappedGouraudVaryings {
     Lit<F> front, back;

@@ -1,4 +1,5 @@
-// phong.h: Lambert and a highlight around the mirror direction (Phong, Illumination for Computer Generated Pictures, 1975).
+// phong.h: Lambert and a highlight around the mirror direction (Phong, Illumination for Computer Generated Pictures,
+// 1975).
 #pragma once
 
 #include <raster/math.h>

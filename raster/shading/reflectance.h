@@ -1,7 +1,7 @@
 // reflectance.h: what a reflectance model is: two directions and a frame in, a diffuse and a specular value out.
 //
-// Local vectors and structs of lanes are not const in this room: g++ 12 keeps const ones in memory instead of registers,
-// which costs a fifth of the time of a shaded pixel.
+// Local vectors and structs of lanes are not const in this room: g++ 12 keeps const ones in memory instead of
+// registers, which costs a fifth of the time of a shaded pixel.
 #pragma once
 
 #include <concepts>
@@ -45,7 +45,8 @@ struct Reflectance {
 ///
 /// evaluate gives finite values that are not negative for all directions, and 0 for a light below the surface.
 template <class M>
-concept ReflectanceModel = requires(const M m, const Frame<float> frame, const vec<3, float> l, const Material material) {
+concept ReflectanceModel = requires(const M m, const Frame<float> frame, const vec<3, float> l,
+                                    const Material material) {
     { M::name } -> std::convertible_to<std::string_view>;
     { m.with_material(material) } -> std::same_as<M>;
     { m.evaluate(frame, l) } -> std::same_as<Reflectance<float>>;

@@ -1,5 +1,5 @@
-// surface.h: the colours of a material at a point, from its constants, its textures and the vertex colours; and how they
-// meet the light.
+// surface.h: the colours of a material at a point, from its constants, its textures and the vertex colours; and how
+// they meet the light.
 #pragma once
 
 #include <raster/shading/light.h>
@@ -13,7 +13,7 @@ struct SurfaceMaterial {
     float alpha = 1.0f;
     TextureView ambient_texture, diffuse_texture, specular_texture, emission_texture, alpha_texture;
     bool alpha_texture_has_alpha = false;  ///< its alpha channel counts, else its red one
-    bool ambient_is_diffuse = false;       ///< the ambient colour is the diffuse one, textures included, times `ambient`
+    bool ambient_is_diffuse = false;  ///< the ambient colour is the diffuse one, textures included, times `ambient`
     bool vertex_colors = false;            ///< they multiply ambient and diffuse
 
     /// Nothing varies over the surface.

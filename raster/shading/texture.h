@@ -46,7 +46,7 @@ struct TextureView {
     std::int32_t height = 0;
     Wrap wrap = Wrap::repeat;
     Filter filter = Filter::nearest;
-    const float* decode = nullptr;  ///< what colour bytes stand for, 256 values; null for byte / 255. Alpha is never decoded
+    const float* decode = nullptr;  ///< what colour bytes stand for, 256 values; null: byte / 255. Not for alpha
 
     TextureView() = default;
     explicit TextureView(const PackedTexture& texture, Wrap wrap = Wrap::repeat, Filter filter = Filter::nearest,
@@ -132,7 +132,8 @@ inline TexelPair<F> neighbour_texels(Wrap wrap, F coordinate, std::int32_t size)
     const F weight = x - to_float(below);
     if (wraps_by_bits) return {below & last, above & last, weight};
     const bool around = wrap == Wrap::repeat;
-    return {select(below < zero, around ? last : zero, below), select(above > last, around ? zero : last, above), weight};
+    return {select(below < zero, around ? last : zero, below), select(above > last, around ? zero : last, above),
+            weight};
 }
 
 /// A texel's channels, 0 to 1 when decoded and 0 to 255 when not; alpha 0 to 255.
@@ -141,7 +142,8 @@ inline vec<4, F> unpack_texel(const TextureView& texture, Int<F> texel) {
     const auto byte = [&](int shift) { return (texel >> shift) & Int<F>(255); };
     const F alpha = to_float(byte(24));
     if (texture.decode)
-        return {gather(texture.decode, byte(0)), gather(texture.decode, byte(8)), gather(texture.decode, byte(16)), alpha};
+        return {gather(texture.decode, byte(0)), gather(texture.decode, byte(8)), gather(texture.decode, byte(16)),
+                alpha};
     return {to_float(byte(0)), to_float(byte(8)), to_float(byte(16)), alpha};
 }
 
@@ -159,7 +161,8 @@ inline vec<4, F> sample(const TextureView& texture, const vec<2, F>& uv) {
     };
     vec<4, F> value;
     if (texture.filter == Filter::nearest) {
-        value = fetch(nearest_texel(texture.wrap, uv.x, texture.width), nearest_texel(texture.wrap, uv.y, texture.height));
+        value =
+            fetch(nearest_texel(texture.wrap, uv.x, texture.width), nearest_texel(texture.wrap, uv.y, texture.height));
     } else {
         TexelPair<F> u = neighbour_texels(texture.wrap, uv.x, texture.width);
         TexelPair<F> v = neighbour_texels(texture.wrap, uv.y, texture.height);

@@ -27,7 +27,7 @@ struct ShadingUniforms {
     std::span<const EyeLight> lights;
     SurfaceMaterial material;
     glm::vec3 grain_eye{1.0f, 0.0f, 0.0f};           ///< direction of brush marks, for anisotropic models
-    bool two_sided = false;                          ///< turn the normal of back faces round, else light them as they are
+    bool two_sided = false;  ///< turn the normal of back faces round, else light them as they are
     glm::vec4 viewer_eye{0.0f, 0, 0, 1};             ///< homogeneous: the origin, or (0, 0, 1, 0) without perspective
     std::span<const std::int32_t> triangle_numbers;  ///< in the model, of this draw's triangles; when empty they are
     std::int32_t first_triangle = 0;                 ///< counted from here

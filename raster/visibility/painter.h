@@ -20,7 +20,8 @@ enum class PainterKey {
 ///
 /// - One number cannot stand for a whole triangle. A large one beside or under a small one may be sorted wrongly by
 ///   either key, although an order exists.
-/// - Triangles that overlap in a cycle, or that pierce each other, have no right order at all; they would have to be cut.
+/// - Triangles that overlap in a cycle, or that pierce each other, have no right order at all; they would have to be
+/// cut.
 ///
 /// Both go wrong silently. Where no two triangles overlap on the picture, or their depths do not, the picture is the
 /// z-buffer's.
