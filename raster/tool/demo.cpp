@@ -42,8 +42,10 @@ Result<int> run_demo(DemoArguments& a) {
     std::error_code ignored;
     const bool is_there = std::filesystem::exists(model_path, ignored);
     if (!is_there) {
-        const std::string text = models::obj_text(model, "# The Utah teapot (Newell 1975), made by `raster demo`.\n", "");
-        if (const Status written = write_file(model_path, std::as_bytes(std::span(text))); !written) return written.error();
+        const std::string text =
+            models::obj_text(model, "# The Utah teapot (Newell 1975), made by `raster demo`.\n", "");
+        if (const Status written = write_file(model_path, std::as_bytes(std::span(text))); !written)
+            return written.error();
     }
     const Status printed = print(a.outputs.picture + "  the picture: the Utah teapot, " +
                                  with_separators(std::int64_t(model.triangle_count())) + " triangles\n" + model_path +
@@ -65,7 +67,8 @@ Run add_demo(CLI::App& app) {
     add_view_flags(app, a->view);
     add_picture_flags(app, a->picture);
     add_thread_flags(app, a->threads);
-    add_switch(app, "-q,--quiet", a->quiet, "Say nothing but errors, and write the picture alone.")->group("Other flags");
+    add_switch(app, "-q,--quiet", a->quiet, "Say nothing but errors, and write the picture alone.")
+        ->group("Other flags");
     return [a] { return run_demo(*a); };
 }
 

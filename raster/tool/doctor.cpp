@@ -2,10 +2,10 @@
 #include <dlfcn.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
+#include <nlohmann/json.hpp>
 
 #include <CLI/Version.hpp>
 #include <raster/config.h>
@@ -166,7 +166,9 @@ Result<int> run_doctor() {
     if (std::string_view(RASTER_BUILD_TYPE) == "Debug")
         out += "note: this is a debug build, which is many times slower\n";
     if (could_use_avx2())
-        out += "note: built with -DRASTER_MARCH=x86-64-v3 this would draw 8 pixels at once here; the pictures are the same\n";
+        out +=
+            "note: built with -DRASTER_MARCH=x86-64-v3 this would draw 8 pixels at once here; the pictures are the "
+            "same\n";
     const Status printed = print(out);
     return printed ? Result<int>(exit_done) : printed.error();
 }

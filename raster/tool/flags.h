@@ -62,7 +62,8 @@ Result<T> parse_choice(std::string_view text, const Choices<T, N>& choices,
         words.emplace_back(word);
     }
     for (const std::string& word : later)
-        if (word == text) return Error{ErrorKind::usage, in_quotes(text) + " is not yet possible; what works: " + known};
+        if (word == text)
+            return Error{ErrorKind::usage, in_quotes(text) + " is not yet possible; what works: " + known};
     return Error{ErrorKind::usage, in_quotes(text) + " is none of " + known + did_you_mean(text, words)};
 }
 
@@ -72,8 +73,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, T& into, const C
     std::string type;
     for (const auto& choice : choices) type += (type.empty() ? "" : "|") + std::string(choice.first);
     return add_value(
-        app, name, type, into,
-        [choices, later](std::string_view text) { return parse_choice(text, choices, later); }, description);
+        app, name, type, into, [choices, later](std::string_view text) { return parse_choice(text, choices, later); },
+        description);
 }
 
 /// A flag without a value.

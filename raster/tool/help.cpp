@@ -68,10 +68,10 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string, CLI::AppF
     if (!arguments.empty()) out += make_group("Arguments", true, arguments);
     std::vector<std::string> groups = app->get_groups();
     // --help is added first, but is not what one looks for.
-    std::ranges::stable_partition(groups, [](const std::string& group) { return group != other_flags; });
+    std::stable_partition(groups.begin(), groups.end(), [](const std::string& group) { return group != other_flags; });
     for (const std::string& group : groups) {
-        const auto options = app->get_options(
-            [&](const CLI::Option* o) { return o->get_group() == group && o->nonpositional(); });
+        const auto options =
+            app->get_options([&](const CLI::Option* o) { return o->get_group() == group && o->nonpositional(); });
         if (!group.empty() && !options.empty()) out += make_group(group, false, options);
     }
     if (!app->get_footer().empty()) out += "\n" + app->get_footer() + "\n";

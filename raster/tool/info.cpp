@@ -32,8 +32,10 @@ struct NamedTexture {
 };
 std::vector<NamedTexture> textures_of(const Model& model, const Material& m) {
     std::vector<NamedTexture> used;
-    for (const NamedTexture& t : {NamedTexture{"diffuse", m.diffuse_texture}, {"ambient", m.ambient_texture},
-                                  {"specular", m.specular_texture}, {"emission", m.emission_texture},
+    for (const NamedTexture& t : {NamedTexture{"diffuse", m.diffuse_texture},
+                                  {"ambient", m.ambient_texture},
+                                  {"specular", m.specular_texture},
+                                  {"emission", m.emission_texture},
                                   {"alpha", m.alpha_texture}})
         if (t.texture >= 0 && std::size_t(t.texture) < model.textures.size()) used.push_back(t);
     return used;
@@ -90,10 +92,8 @@ Json info_json(const std::string& path, const Loaded& loaded, const View& view) 
     json["materials"] = materials_json(model);
     json["textures"] = Json::array();
     for (const Texture& t : model.textures)
-        json["textures"].push_back({{"name", t.name},
-                                    {"width", t.image.width},
-                                    {"height", t.image.height},
-                                    {"channels", t.image.channels}});
+        json["textures"].push_back(
+            {{"name", t.name}, {"width", t.image.width}, {"height", t.image.height}, {"channels", t.image.channels}});
     json["warnings"] = Json::array();
     for (const LoadWarning& w : report.warnings)
         json["warnings"].push_back({{"file", w.file}, {"line", w.line}, {"count", w.count}, {"message", w.message()}});

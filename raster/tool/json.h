@@ -9,7 +9,8 @@
 
 namespace raster::tool {
 
-using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
+using Json =
+    nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
 
 /// Indented text with a final line end. Arrays of numbers stay on one line. Names in other encodings than UTF-8 get
 /// replacement characters.

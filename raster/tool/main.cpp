@@ -35,7 +35,8 @@ Error describe(const CLI::App& app, const CLI::App* command, const CLI::ParseErr
     if (!command && !unknown.empty()) {
         const std::string& word = unknown.front();
         const bool is_file = word.ends_with(".obj") || word.ends_with(".OBJ");
-        const std::string hint = is_file ? "; did you mean raster render " + word + "?" : did_you_mean(word, command_names());
+        const std::string hint =
+            is_file ? "; did you mean raster render " + word + "?" : did_you_mean(word, command_names());
         return {ErrorKind::usage, "unknown command " + in_quotes(word) + hint + see};
     }
     if (dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty())
@@ -46,22 +47,26 @@ Error describe(const CLI::App& app, const CLI::App* command, const CLI::ParseErr
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Pictures of 3D models without a GPU, a display or a driver: a software rasterizer to learn from,"
-                 " test with and trust.", "raster");
+    CLI::App app(
+        "Pictures of 3D models without a GPU, a display or a driver: a software rasterizer to learn from,"
+        " test with and trust.",
+        "raster");
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_help_flag("-h,--help", "Print this help.");
     app.set_version_flag("--version", "raster " RASTER_VERSION, "Print the version.");
     app.get_option("--help")->group("Flags");
     app.get_option("--version")->group("Flags");
-    app.footer("`raster COMMAND --help` lists a command's flags.\n"
-               "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a file cannot be read or\n"
-               "written, or memory ran out.");
+    app.footer(
+        "`raster COMMAND --help` lists a command's flags.\n"
+        "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a file cannot be read or\n"
+        "written, or memory ran out.");
     app.require_subcommand(0, 1);
 
     std::array<Run, std::size(commands)> runs;
     for (std::size_t i = 0; i < std::size(commands); ++i) {
         CLI::App* command = app.add_subcommand(commands[i].name, commands[i].summary);
         command->get_option("--help")->group("Other flags");
+        command->footer("");
         runs[i] = commands[i].add(*command);
     }
 

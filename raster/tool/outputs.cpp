@@ -64,11 +64,15 @@ std::vector<std::string> OutputPlan::paths() const {
 Status check_no_input(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
     for (const std::string& output : outputs)
         for (const std::string& input : inputs)
-            if (!input.empty() && same_file(output, input)) return usage(output + ": would be written over, and is read too");
+            if (!input.empty() && same_file(output, input))
+                return usage(output + ": would be written over, and is read too");
     return Done{};
 }
 
 Status check(OutputPlan& plan, const std::vector<std::string>& inputs) {
+    // Redirected to a file, /dev/stdout looks like a file without an extension.
+    if (is_standard_output(plan.picture)) plan.picture = "-";
+    if (is_standard_output(plan.camera_json)) plan.camera_json = "-";
     const Result<OutputFormat> format = output_format(plan.picture, OutputFormat::png);
     // A folder is no wrong extension: the system has words for it.
     std::error_code ignored;
@@ -76,11 +80,13 @@ Status check(OutputPlan& plan, const std::vector<std::string>& inputs) {
         if (const Status status = check_writable(plan.picture); !status) return status;
     }
     if (!format || *format == OutputFormat::pgm)
-        return usage("--output: " + in_quotes(plan.picture) + " must end in .png, .ppm or .pfm, or be - for standard output");
+        return usage("--output: " + in_quotes(plan.picture) +
+                     " must end in .png, .ppm or .pfm, or be - for standard output");
     plan.format = *format;
 
     if (!plan.camera_json.empty() && plan.camera_json != "-" && !plan.camera_json.ends_with(".json"))
-        return usage("--camera-json-out: " + in_quotes(plan.camera_json) + " must end in .json, or be - for standard output");
+        return usage("--camera-json-out: " + in_quotes(plan.camera_json) +
+                     " must end in .json, or be - for standard output");
     const bool several = plan.frames > 0 || !plan.planes.empty();
     if (is_standard_output(plan.picture) && several)
         return usage("--output: several pictures cannot go to standard output; give a file name");

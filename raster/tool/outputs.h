@@ -28,15 +28,17 @@ std::string beside(const std::string& path, const std::string& suffix);
 
 /// Which files will be written.
 struct OutputPlan {
-    std::string picture;      ///< path; "-" for standard output
+    std::string picture;  ///< path; "-" for standard output
     OutputFormat format = OutputFormat::png;
-    int frames = 0;           ///< of a turntable; 0 for a single picture
+    int frames = 0;  ///< of a turntable; 0 for a single picture
     std::vector<PlaneChoice> planes;
     std::string camera_json;  ///< path or empty
 
     /// The path of the picture, or of a frame from 0: teapot.007.png.
     std::string picture_path(int frame) const;
-    std::string plane_path(int frame, const PlaneChoice& plane) const { return beside(picture_path(frame), plane.suffix()); }
+    std::string plane_path(int frame, const PlaneChoice& plane) const {
+        return beside(picture_path(frame), plane.suffix());
+    }
 
     /// All paths, in the order they are written.
     std::vector<std::string> paths() const;

@@ -12,9 +12,7 @@
 namespace raster::tool {
 namespace {
 
-Error usage(std::string_view text, const std::string& what) {
-    return {ErrorKind::usage, in_quotes(text) + " " + what};
-}
+Error usage(std::string_view text, const std::string& what) { return {ErrorKind::usage, in_quotes(text) + " " + what}; }
 
 /// `count` numbers between commas.
 Result<std::vector<float>> parse_numbers(std::string_view text) {
@@ -151,8 +149,8 @@ Result<glm::vec4> parse_background(std::string_view text) {
 Result<Size> parse_size(std::string_view text) {
     const std::size_t cross = text.find('x');
     std::array<std::int64_t, 2> sides{};
-    const std::array<std::string_view, 2> pieces = {
-        text.substr(0, cross), cross == std::string_view::npos ? "" : text.substr(cross + 1)};
+    const std::array<std::string_view, 2> pieces = {text.substr(0, cross),
+                                                    cross == std::string_view::npos ? "" : text.substr(cross + 1)};
     for (std::size_t i = 0; i < 2; ++i) {
         const char* end = pieces[i].data() + pieces[i].size();
         const auto [stop, code] = std::from_chars(pieces[i].data(), end, sides[i]);
@@ -166,9 +164,7 @@ Result<Size> parse_size(std::string_view text) {
     return Size{int(sides[0]), int(sides[1])};
 }
 
-std::string to_text(const Size& size) {
-    return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
+std::string to_text(const Size& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 Result<Spec> parse_spec(std::string_view text) {
     Spec spec;

@@ -14,13 +14,11 @@ namespace {
 constexpr int max_threads = 256;
 constexpr std::size_t max_warning_lines = 20;
 
-constexpr Choices<ShadingFrequency, 3> shadings = {{{"flat", ShadingFrequency::flat},
-                                                    {"gouraud", ShadingFrequency::gouraud},
-                                                    {"phong", ShadingFrequency::phong}}};
+constexpr Choices<ShadingFrequency, 3> shadings = {
+    {{"flat", ShadingFrequency::flat}, {"gouraud", ShadingFrequency::gouraud}, {"phong", ShadingFrequency::phong}}};
 constexpr Choices<Visibility, 2> visibilities = {{{"zbuffer", Visibility::zbuffer}, {"painter", Visibility::painter}}};
 constexpr Choices<Cull, 3> culls = {{{"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}}};
-constexpr Choices<FillRule, 2> fill_rules = {
-    {{"opengl", FillRule::bottom_left}, {"direct3d", FillRule::top_left}}};
+constexpr Choices<FillRule, 2> fill_rules = {{{"opengl", FillRule::bottom_left}, {"direct3d", FillRule::top_left}}};
 constexpr Choices<Filter, 2> filters = {{{"nearest", Filter::nearest}, {"bilinear", Filter::bilinear}}};
 constexpr Choices<Wrap, 3> wraps = {{{"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}, {"mirror", Wrap::mirror}}};
 constexpr Choices<int, 1> sample_counts = {{{"1", 1}}};
@@ -50,8 +48,7 @@ void add_load_flags(CLI::App& app, LoadFlags& flags) {
         ->group("Model");
     add_switch(app, "--strict", o.strict, "Faults in the model's files are errors (exit 1) instead of warnings.")
         ->group("Model");
-    add_switch(app, "--allow-outside", o.allow_outside,
-               "Materials and textures may lie outside the model's folder.")
+    add_switch(app, "--allow-outside", o.allow_outside, "Materials and textures may lie outside the model's folder.")
         ->group("Model");
 }
 
@@ -96,7 +93,8 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
     const auto visibility = [](CLI::Option* option) { option->group("Visibility"); };
     visibility(add_choice(app, "--hidden", o.visibility, visibilities,
                           "How hidden surfaces are removed: by depth a pixel, or by drawing triangles from back to"
-                          " front. [zbuffer]", {"scanline"}));
+                          " front. [zbuffer]",
+                          {"scanline"}));
     visibility(add_choice(app, "--cull", o.cull, culls, "Which faces are left out. [none]"));
     visibility(add_choice(app, "--fill-rule", o.fill_rule, fill_rules,
                           "Who owns a pixel centre exactly on an edge: left and bottom edges, or left and top."

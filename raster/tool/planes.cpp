@@ -79,14 +79,14 @@ std::array<std::uint8_t, 3> color_of(std::uint32_t number) {
 
 /// From blue to orange to white: told apart by those who see no red or green, and by brightness alone.
 constexpr std::array<std::array<std::uint8_t, 3>, 9> overdraw_colors = {{{0, 0, 0},
-                                                                        {14, 38, 92},
-                                                                        {26, 71, 140},
-                                                                        {50, 110, 180},
-                                                                        {110, 140, 170},
-                                                                        {190, 140, 90},
-                                                                        {235, 150, 50},
-                                                                        {255, 195, 120},
-                                                                        {255, 255, 255}}};
+                                                                         {14, 38, 92},
+                                                                         {26, 71, 140},
+                                                                         {50, 110, 180},
+                                                                         {110, 140, 170},
+                                                                         {190, 140, 90},
+                                                                         {235, 150, 50},
+                                                                         {255, 195, 120},
+                                                                         {255, 255, 255}}};
 
 }  // namespace
 
@@ -118,7 +118,8 @@ PlaneRenderer::PlaneRenderer(const Model& model, const View& view, const RenderO
 /// A target of its own, so that the picture is the same whether planes are asked for or not.
 const Target& PlaneRenderer::terms() {
     if (!terms_) {
-        terms_.emplace(view_.size.width, view_.size.height, ColorFormat::rgba8, DepthFormat::unorm24, shaded_plane::count);
+        terms_.emplace(view_.size.width, view_.size.height, ColorFormat::rgba8, DepthFormat::unorm24,
+                       shaded_plane::count);
         render(*terms_, model_, view_.matrices, options_);
     }
     return *terms_;

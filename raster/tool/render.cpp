@@ -62,9 +62,10 @@ Result<int> run_render(RenderArguments& a) {
 Run add_render(CLI::App& app) {
     const auto a = std::make_shared<RenderArguments>();
     add_load_flags(app, a->load);
-    add_value(app, "-o,--output", "FILE", a->outputs.picture, parse_path,
-              "The picture: .png, .ppm (8 bits, no alpha) or .pfm (floats); - is a PNG on standard output. A file of that"
-              " name is replaced, whole or not at all. [the model's name with .png, in the current folder]")
+    add_value(
+        app, "-o,--output", "FILE", a->outputs.picture, parse_path,
+        "The picture: .png, .ppm (8 bits, no alpha) or .pfm (floats); - is a PNG on standard output. A file of that"
+        " name is replaced, whole or not at all. [the model's name with .png, in the current folder]")
         ->group("Picture");
     add_view_flags(app, a->view);
     add_picture_flags(app, a->picture);

@@ -45,16 +45,15 @@ std::string milliseconds(double seconds) {
 
 class Pictures {
 public:
-    Pictures(const PictureJob& job, Progress& progress)
-        : job_(job), progress_(progress) {}
+    Pictures(const PictureJob& job, Progress& progress) : job_(job), progress_(progress) {}
 
     Status run() {
         const OutputPlan& outputs = job_.outputs;
         const int frames = std::max(outputs.frames, 1);
         progress_.begin("render");
         for (int frame = 0; frame < frames; ++frame) {
-            const Result<View> view =
-                outputs.frames > 0 ? job_.view.turned_view_of(job_.model, frame, frames) : job_.view.view_of(job_.model);
+            const Result<View> view = outputs.frames > 0 ? job_.view.turned_view_of(job_.model, frame, frames)
+                                                         : job_.view.view_of(job_.model);
             if (!view) return view.error();
             if (const Status status = draw_frame(frame, *view); !status) return status;
             progress_.update(double(frame + 1) / frames);
@@ -67,7 +66,8 @@ public:
         const OutputPlan& outputs = job_.outputs;
         std::string line = outputs.picture == "-" ? "standard output" : outputs.picture_path(0);
         if (outputs.frames > 1) line += " to " + outputs.picture_path(outputs.frames - 1);
-        line += ": " + to_text(job_.view.size()) + ", " + counted(std::int64_t(job_.model.triangle_count()), "triangle");
+        line +=
+            ": " + to_text(job_.view.size()) + ", " + counted(std::int64_t(job_.model.triangle_count()), "triangle");
         line += outputs.frames > 0 ? " a picture: " : ": ";
         line += with_separators(counts_.drawn) + " drawn, " + with_separators(counts_.culled) + " culled, " +
                 with_separators(counts_.outside) + " outside the view";

@@ -33,8 +33,8 @@ struct PictureJob {
     const OutputPlan& outputs;
     bool hash;
     bool quiet;
-    double load_time = 0;       ///< seconds, for the summary
-    std::size_t warnings = 0;   ///< likewise
+    double load_time = 0;      ///< seconds, for the summary
+    std::size_t warnings = 0;  ///< likewise
 };
 
 /// Draws and writes everything that `outputs` lists. Says a summary on standard error.

@@ -84,11 +84,12 @@ const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all = {
         {"head", LightKind::directional, {"color", "intensity"}},
         {"ambient", LightKind::ambient, {"color", "intensity"}},
-        {"directional", LightKind::directional,
+        {"directional",
+         LightKind::directional,
          {"dir", "color", "intensity", "diffuse", "specular", "ambient", "space"}},
-        {"point", LightKind::point,
-         {"pos", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space"}},
-        {"spot", LightKind::spot,
+        {"point", LightKind::point, {"pos", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space"}},
+        {"spot",
+         LightKind::spot,
          {"pos", "dir", "cutoff", "falloff", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space"}},
     };
     return all;
@@ -172,8 +173,10 @@ Result<MaterialChange> parse_material(std::string_view text) {
         return usage(in_quotes(text) + ": materials by name are not yet possible; give KEY=VALUE:KEY=VALUE");
     MaterialChange change;
     const std::vector<std::pair<std::string, std::optional<glm::vec3> MaterialChange::*>> colors = {
-        {"color", &MaterialChange::color},       {"ambient", &MaterialChange::ambient},
-        {"diffuse", &MaterialChange::diffuse},   {"specular", &MaterialChange::specular},
+        {"color", &MaterialChange::color},
+        {"ambient", &MaterialChange::ambient},
+        {"diffuse", &MaterialChange::diffuse},
+        {"specular", &MaterialChange::specular},
         {"emission", &MaterialChange::emission}};
     struct Number {
         std::string key;

@@ -1,6 +1,7 @@
 // view.cpp: from camera flags to matrices.
 #include "view.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <raster/math.h>
@@ -31,7 +32,13 @@ Box turnable(const Box& box, const glm::vec3& up) {
     const glm::vec3 centre = box.min * 0.5f + box.max * 0.5f, half = box.max * 0.5f - box.min * 0.5f;
     const glm::vec3 axis = glm::normalize(up);
     const float height = glm::dot(glm::abs(axis), half);
-    const float radius = glm::length(half - axis * glm::dot(half, axis));
+    float radius = 0;
+    for (const float x : {half.x, -half.x}) {
+        for (const float y : {half.y, -half.y}) {
+            const glm::vec3 corner(x, y, half.z);
+            radius = std::max(radius, glm::length(corner - axis * glm::dot(corner, axis)));
+        }
+    }
     const glm::vec3 reach = glm::abs(axis) * height + glm::sqrt(glm::max(1.0f - axis * axis, 0.0f)) * radius;
     return {centre - reach, centre + reach};
 }
@@ -81,11 +88,14 @@ void add_view_flags(CLI::App& app, ViewFlags& flags) {
 }
 
 std::string ViewFlags::first_camera_flag() const {
-    const std::pair<bool, const char*> given[] = {
-        {position.has_value(), "--camera-position"}, {focal_point.has_value(), "--camera-focal-point"},
-        {up.has_value(), "--up"}, {view_angle.has_value(), "--camera-view-angle"},
-        {azimuth.has_value(), "--camera-azimuth-angle"}, {elevation.has_value(), "--camera-elevation-angle"},
-        {near_plane.has_value(), "--near"}, {far_plane.has_value(), "--far"}};
+    const std::pair<bool, const char*> given[] = {{position.has_value(), "--camera-position"},
+                                                  {focal_point.has_value(), "--camera-focal-point"},
+                                                  {up.has_value(), "--up"},
+                                                  {view_angle.has_value(), "--camera-view-angle"},
+                                                  {azimuth.has_value(), "--camera-azimuth-angle"},
+                                                  {elevation.has_value(), "--camera-elevation-angle"},
+                                                  {near_plane.has_value(), "--near"},
+                                                  {far_plane.has_value(), "--far"}};
     for (const auto& [is_given, name] : given)
         if (is_given) return name;
     return "";
@@ -98,13 +108,15 @@ Result<ViewPlan> ViewPlan::make(const ViewFlags& flags) {
     if (!flags.json.empty()) {
         const std::string other = flags.first_camera_flag();
         if (!other.empty())
-            return Error{ErrorKind::usage, other + " and --camera-json exclude each other: the file has the whole camera"};
+            return Error{ErrorKind::usage,
+                         other + " and --camera-json exclude each other: the file has the whole camera"};
         Result<View> view = read_camera_json(flags.json);
         if (!view) return view.error();
         plan.file_view_ = std::move(*view);
         const Size& size = plan.file_view_->size;
         // A larger or smaller picture of the same shape shows the same through the same matrices.
-        if (flags.size && std::int64_t(flags.size->width) * size.height != std::int64_t(size.width) * flags.size->height)
+        if (flags.size &&
+            std::int64_t(flags.size->width) * size.height != std::int64_t(size.width) * flags.size->height)
             return Error{ErrorKind::usage, "--size: " + to_text(*flags.size) + " has another shape than the " +
                                                to_text(size) + " that " + flags.json + " is for"};
         plan.size_ = flags.size.value_or(size);
@@ -116,14 +128,15 @@ Result<ViewPlan> ViewPlan::make(const ViewFlags& flags) {
         camera.up = flags.up.value_or(camera.up);
         if (flags.focal_point) {
             camera.focal_point = *flags.focal_point;
-            if (const Result<View> view = plan.finish(orbited(camera, flags.azimuth.value_or(0), flags.elevation.value_or(0)));
+            if (const Result<View> view =
+                    plan.finish(orbited(camera, flags.azimuth.value_or(0), flags.elevation.value_or(0)));
                 !view)
                 return view.error();
         }
     }
     if (flags.near_plane && flags.far_plane && !(*flags.near_plane < *flags.far_plane))
-        return Error{ErrorKind::usage, "--far: " + to_text(*flags.far_plane) + " is not beyond --near " +
-                                           to_text(*flags.near_plane)};
+        return Error{ErrorKind::usage,
+                     "--far: " + to_text(*flags.far_plane) + " is not beyond --near " + to_text(*flags.near_plane)};
     return plan;
 }
 

@@ -20,7 +20,8 @@ constexpr std::size_t max_file_bytes = std::size_t(64) << 20;  // `info --json` 
 /// As C's %a and Python's float.hex: "-0x1.8p+1".
 std::string hexadecimal(float number) {
     std::array<char, 32> room;
-    const auto [end, code] = std::to_chars(room.data(), room.data() + room.size(), std::abs(number), std::chars_format::hex);
+    const auto [end, code] =
+        std::to_chars(room.data(), room.data() + room.size(), std::abs(number), std::chars_format::hex);
     return (std::signbit(number) ? "-0x" : "0x") + std::string(room.data(), end);
 }
 
@@ -94,7 +95,8 @@ private:
         }
         // Above INT64_MAX it would wrap; anything that large is refused by its size.
         const auto number = json[name].get<std::int64_t>();
-        return json[name].is_number_unsigned() && number < 0 ? INT64_MAX / 4 : std::clamp<std::int64_t>(number, -1, 1 << 30);
+        return json[name].is_number_unsigned() && number < 0 ? INT64_MAX / 4
+                                                             : std::clamp<std::int64_t>(number, -1, 1 << 30);
     }
 
     float number(const Json& json, const std::string& name) {
@@ -187,7 +189,8 @@ Json to_json(const View& view) {
         parameters["far"] = view.camera->far_plane;
     }
     Json& matrices = json["matrices"];
-    matrices["convention"] = "column vectors: clip = clip_from_eye * eye_from_world * world; visible is -w <= x, y, z <= w";
+    matrices["convention"] =
+        "column vectors: clip = clip_from_eye * eye_from_world * world; visible is -w <= x, y, z <= w";
     matrices["eye_from_world"] = to_json(view.matrices.eye_from_world);
     matrices["clip_from_eye"] = to_json(view.matrices.clip_from_eye);
     matrices["clip_from_world"] = to_json(view.matrices.clip_from_world);

@@ -175,7 +175,8 @@ test_a_killed_writer_leaves_the_old_file_or_the_new_one() {
         cp old.ppm p.ppm
         "$RASTER" render t.obj --size 1500x1500 -q -o p.ppm --background 1 &
         # Strike while the temporary file is there, or when all is over.
-        while kill -0 $! 2>/dev/null && ! compgen -G '.raster-*.tmp' >/dev/null; do :; done
+        tries=0
+        while kill -0 $! 2>/dev/null && [ $((tries += 1)) -lt 100000 ] && ! compgen -G '.raster-*.tmp' >/dev/null; do :; done
         kill -9 $! 2>/dev/null
         wait $! 2>/dev/null
         cmp -s p.ppm old.ppm || cmp -s p.ppm new.ppm || failed 'neither the old nor the new file'
