@@ -64,27 +64,6 @@ constexpr const char* textured_fragment =
     "in vec4 tint; in vec2 where; out vec4 result; uniform sampler2D image;\n"
     "void main() { result = texture(image, where) * tint; }\n";
 
-/// Makes a texture current. OpenGL's first row is the bottom one.
-void upload(const Texture& texture) {
-    const std::size_t width = std::size_t(texture.image.width), height = std::size_t(texture.image.height);
-    std::vector<std::int32_t> rows;
-    for (std::size_t y = height; y-- > 0;) {
-        const auto row = texture.image.texels.begin() + std::ptrdiff_t(y * width);
-        rows.insert(rows.end(), row, row + std::ptrdiff_t(width));
-    }
-    const GLint wrap = texture.wrap == Wrap::repeat  ? GL_REPEAT
-                       : texture.wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE
-                                                     : GL_MIRRORED_REPEAT;
-    const GLint filter = texture.filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.image.width, texture.image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 rows.data());
-}
-
 }  // namespace
 
 Oracle& Oracle::instance() {
@@ -168,6 +147,29 @@ void Oracle::apply(const State& state, int width, int height) {
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
+void Oracle::bind_texture(const TextureView& texture, unsigned unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    static GLuint names[8] = {};
+    if (!names[unit]) glGenTextures(1, &names[unit]);
+    glBindTexture(GL_TEXTURE_2D, names[unit]);
+    // OpenGL's first row is the bottom one.
+    const std::size_t width = std::size_t(texture.width), height = std::size_t(texture.height);
+    std::vector<std::int32_t> rows;
+    for (std::size_t y = height; y-- > 0;)
+        rows.insert(rows.end(), texture.texels + y * width, texture.texels + (y + 1) * width);
+    const GLint wrap = texture.wrap == Wrap::repeat  ? GL_REPEAT
+                       : texture.wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE
+                                                     : GL_MIRRORED_REPEAT;
+    const GLint filter = texture.filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.width, texture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
+    glActiveTexture(GL_TEXTURE0);
+}
+
 unsigned Oracle::program(const std::string& vertex, const std::string& fragment) {
     unsigned& program = programs_[vertex + '\0' + fragment];
     if (program) return program;
@@ -188,9 +190,9 @@ unsigned Oracle::program(const std::string& vertex, const std::string& fragment)
     };
     attach(GL_VERTEX_SHADER, vertex);
     attach(GL_FRAGMENT_SHADER, fragment);
-    glBindAttribLocation(program, 0, "position");
-    glBindAttribLocation(program, 1, "color");
-    glBindAttribLocation(program, 2, "uv");
+    GLuint place = 0;
+    for (const char* attribute : {"position", "color", "uv", "normal", "face_a", "face_b", "face_c"})
+        glBindAttribLocation(program, place++, attribute);
     glLinkProgram(program);
     GLint good = 0;
     glGetProgramiv(program, GL_LINK_STATUS, &good);
@@ -213,7 +215,7 @@ void Oracle::draw(const Draw& draw, int width, int height) {
                                 : draw.style == Style::noperspective ? "noperspective"
                                                                      : "smooth";
         if (draw.style == Style::textured) {
-            upload(draw.texture);
+            bind_texture(TextureView(draw.texture.image, draw.texture.wrap, draw.texture.filter), 0);
             glUseProgram(program(textured_vertex, textured_fragment));
         } else {
             glUseProgram(program(vertex_source(how), fragment_source(how)));

@@ -31,8 +31,12 @@ public:
         return end();
     }
 
-    /// A program from GLSL sources, compiled once. Attributes 0, 1, 2 are `position`, `color`, `uv`.
+    /// A program from GLSL sources, compiled once. Attributes 0 to 6 are `position`, `color`, `uv`, `normal`, and the
+    /// corners of a vertex's triangle: `face_a`, `face_b`, `face_c`.
     unsigned program(const std::string& vertex, const std::string& fragment);
+
+    /// Makes a texture current in a texture unit.
+    static void bind_texture(const TextureView& texture, unsigned unit);
 
     /// Sets what a State says, on a target of this height.
     static void apply(const State& state, int width, int height);
