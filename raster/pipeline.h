@@ -190,15 +190,16 @@ private:
             {window[corner(0)].oow, window[corner(1)].oow, window[corner(2)].oow});
         notify<SetupEvent>(observer_, [&] { return SetupEvent{triangle, piece, setup, planes.oow, planes.planes}; });
 
-        for (int y = setup.box.min_y; y <= setup.box.max_y; ++y)
-            for (int x = setup.box.min_x; x <= setup.box.max_x; ++x)
+        const PixelBox box = pixels_to_run(observer_, setup.box);
+        for (int y = box.min_y; y <= box.max_y; ++y)
+            for (int x = box.min_x; x <= box.max_x; ++x)
                 draw_pixel(triangle, piece, x, y, setup, planes, front_facing);
     }
 
     void draw_pixel(std::int64_t triangle, int piece, int x, int y, const TriangleSetup& setup,
                     const VaryingPlanes<S, float>& planes, bool front_facing) {
         std::array<std::int64_t, 3> edges;
-        bool covered = true;
+        bool covered = setup.box.contains(x, y);  // an observer may look beyond
         for (std::size_t i = 0; i < 3; ++i) {
             edges[i] = edge_at(setup.edges[i], x, y);
             covered = covered && is_inside(setup.edges[i], edges[i]);

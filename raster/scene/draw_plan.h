@@ -98,6 +98,16 @@ void with_pixel_shader(const PlannedDraw& d, const Visit& visit) {
         },
         d.reflectance);
 }
+/// The same for draws that need not be fast: one shader for all reflectance models, which gives the same bits.
+template <class Visit>
+void with_runtime_pixel_shader(const PlannedDraw& d, const Visit& visit) {
+    const RuntimeModel model{d.reflectance};
+    switch (d.level) {
+        case Detail::plain: return visit(PixelShader<RuntimeModel, Detail::plain>{d.uniforms, model}, d.mesh, d.state);
+        case Detail::mapped: return visit(PixelShader<RuntimeModel, Detail::mapped>{d.uniforms, model}, d.mesh, d.state);
+        case Detail::terms: return visit(PixelShader<RuntimeModel, Detail::terms>{d.uniforms, model}, d.mesh, d.state);
+    }
+}
 template <class Visit>
 void with_shader(const PlannedDraw& d, const Visit& visit) {
     switch (d.frequency) {

@@ -80,7 +80,13 @@ struct PixelBox {
     int min_x, min_y, max_x, max_y;  ///< both ends included
 
     bool empty() const { return min_x > max_x || min_y > max_y; }
+    bool contains(int x, int y) const { return x >= min_x && x <= max_x && y >= min_y && y <= max_y; }
 };
+
+inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+    return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
+            std::min(a.max_y, b.max_y)};
+}
 
 inline PixelBox bounding_pixels(const std::array<SubpixelVertex<float>, 3>& v, int width, int height) {
     const auto [min_x, max_x] = std::minmax({v[0].x, v[1].x, v[2].x});

@@ -128,6 +128,25 @@ struct BlendEvent {
 /// For draws that nobody watches.
 struct NoObserver {};
 
+/// Where a draw is watched. A pixel is a pure function of the triangles, so the stages from coverage on need not run
+/// elsewhere to give the same numbers here; what is not watched is not drawn.
+struct WatchedPixels {
+    PixelBox box;                ///< within the target
+    bool coverage_of_all = false;  ///< coverage is told of every set-up triangle at all of these pixels, however far off
+};
+
+/// The pixels of a triangle's box at which the stages from coverage on run: all, unless the observer has a member
+/// function `WatchedPixels watched_pixels() const`.
+template <class Observer>
+inline PixelBox pixels_to_run(const Observer& observer, const PixelBox& box) {
+    if constexpr (requires { observer.watched_pixels(); }) {
+        const WatchedPixels watched = observer.watched_pixels();
+        return watched.coverage_of_all ? watched.box : intersection(box, watched.box);
+    } else {
+        return box;
+    }
+}
+
 /// Whether an observer wants an event of this type.
 template <class Observer, class Event>
 concept Observes = requires(Observer& observer, const Event& event) { observer.on(event); };
