@@ -51,6 +51,7 @@ inline std::vector<TraceScene> trace_scenes() {
     scenes.push_back(base);
     scenes.push_back(base);
     scenes.back().name = "flat, back faces culled";
+    scenes.back().model = bowl(12, 4);
     scenes.back().options.frequency = ShadingFrequency::flat;
     scenes.back().options.cull = Cull::back;
     scenes.push_back(base);

@@ -41,18 +41,6 @@ Result<double> parse_limit(std::string_view text, double most) {
     return value;
 }
 
-/// X,Y,WIDTH,HEIGHT
-Result<PixelRect> parse_rect(std::string_view text) {
-    std::vector<int> numbers;
-    for (const std::string_view piece : split(text, ',')) {
-        const Result<int> number = parse_count(piece, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-        if (number) numbers.push_back(*number);
-    }
-    if (numbers.size() != 4 || split(text, ',').size() != 4 || numbers[2] < 1 || numbers[3] < 1)
-        return Error{ErrorKind::usage, in_quotes(text) + " is no rectangle; expected X,Y,WIDTH,HEIGHT in pixels, as 10,20,64,32"};
-    return PixelRect{numbers[0], numbers[1], numbers[2], numbers[3]};
-}
-
 /// Compares one pair and keeps it in the report.
 Status compare(const FilePair& pair, const DiffOptions& options, DiffReport& report) {
     Result<Comparison> comparison = diff_files(pair.expected_path, pair.actual_path, options);

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <raster/image/limits.h>
@@ -162,6 +163,29 @@ Result<Size> parse_size(std::string_view text) {
     const std::string problem = size_problem(sides[0], sides[1]);
     if (!problem.empty()) return Error{ErrorKind::usage, problem};
     return Size{int(sides[0]), int(sides[1])};
+}
+
+Result<PixelRect> parse_rect(std::string_view text) {
+    std::vector<int> numbers;
+    for (const std::string_view piece : split(text, ',')) {
+        const Result<int> number = parse_count(piece, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+        if (number) numbers.push_back(*number);
+    }
+    if (numbers.size() != 4 || split(text, ',').size() != 4 || numbers[2] < 1 || numbers[3] < 1)
+        return usage(text, "is no rectangle; expected X,Y,WIDTH,HEIGHT in pixels, as 10,20,64,32");
+    return PixelRect{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+Result<glm::ivec2> parse_pixel(std::string_view text) {
+    const std::vector<std::string_view> pieces = split(text, ',');
+    glm::ivec2 pixel;
+    for (int i = 0; i < 2 && pieces.size() == 2; ++i) {
+        const Result<int> number = parse_count(pieces[std::size_t(i)], 0, ImageLimits{}.max_side - 1);
+        if (!number) break;
+        pixel[i] = *number;
+        if (i == 1) return pixel;
+    }
+    return usage(text, "is no pixel; expected X,Y from 0, as 120,88");
 }
 
 std::string to_text(const Size& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }

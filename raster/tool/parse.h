@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <raster/image/diff.h>
 #include <raster/result.h>
 
 namespace raster::tool {
@@ -39,6 +40,11 @@ struct Size {
 /// WIDTHxHEIGHT within ImageLimits.
 Result<Size> parse_size(std::string_view text);
 std::string to_text(const Size& size);
+
+/// X,Y,WIDTH,HEIGHT of at least one pixel; it may reach beyond a picture.
+Result<PixelRect> parse_rect(std::string_view text);
+/// X,Y from 0.
+Result<glm::ivec2> parse_pixel(std::string_view text);
 
 /// NAME:KEY=VALUE:KEY=VALUE, as lights and materials are written. Without a name it begins with KEY=VALUE.
 struct Spec {

@@ -105,19 +105,19 @@ void Recorder::on(const CoverageEvent& e) {
 }
 
 void Recorder::on(const DepthEvent& e) {
-    if (recording_) pixel().depth = e;
+    if (in_pixel()) pixel().depth = e;
 }
 
 void Recorder::on(const InterpolateEvent& e) {
-    if (recording_) pixel().interpolation = {e.oow, copy(e.varyings)};
+    if (in_pixel()) pixel().interpolation = {e.oow, copy(e.varyings)};
 }
 
 void Recorder::on(const FragmentEvent& e) {
-    if (recording_) pixel().outputs = copy(e.outputs);
+    if (in_pixel()) pixel().outputs = copy(e.outputs);
 }
 
 void Recorder::on(const BlendEvent& e) {
-    if (recording_) pixel().blend = e;
+    if (in_pixel()) pixel().blend = e;
 }
 
 }  // namespace raster

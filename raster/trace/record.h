@@ -112,6 +112,8 @@ public:
 private:
     RecordedPiece& piece() { return triangle_.pieces.back(); }
     RecordedPixel& pixel() { return piece().pixels.back(); }
+    /// Whether the stages of a pixel have somewhere to go: lines and points have no pieces.
+    bool in_pixel() const { return recording_ && !triangle_.pieces.empty() && !triangle_.pieces.back().pixels.empty(); }
 
     RecordChoice choice_;
     Sink sink_;

@@ -2,7 +2,7 @@
 . "$(dirname "$0")/lib.sh"
 
 test_help_goes_to_standard_output() {
-    for command in '' render info demo doctor; do
+    for command in '' render info pixel trace demo doctor; do
         # shellcheck disable=SC2086
         expect 0 '' $command --help
         expect_out '^Usage: raster '
@@ -17,7 +17,7 @@ test_help_goes_to_standard_output() {
 }
 
 test_help_fits_a_terminal() {
-    for command in '' render info demo doctor; do
+    for command in '' render info pixel trace demo doctor; do
         # shellcheck disable=SC2086
         run $command --help
         if grep -nE '.{81,}' "$stdout"; then failed "$command --help has lines of more than 80 columns"; fi

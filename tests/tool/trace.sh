@@ -1,0 +1,83 @@
+# trace.sh: `raster trace` as a program; what it writes is what docs/trace.schema.json promises.
+. "$(dirname "$0")/lib.sh"
+
+# A folder with the npm package ajv, or nothing: Debian's node-ajv, or what npm can fetch into a cache.
+ajv_folder() {
+    command -v node >/dev/null || return 0
+    [ -d /usr/share/nodejs/ajv ] && echo /usr/share/nodejs && return
+    local cache=${XDG_CACHE_HOME:-$HOME/.cache}/raster-tests
+    if [ ! -d "$cache/node_modules/ajv" ]; then
+        command -v npm >/dev/null || return 0
+        mkdir -p "$cache" && timeout 60 npm install --prefix "$cache" --no-audit --no-fund --silent ajv@8 >/dev/null 2>&1
+    fi
+    [ -d "$cache/node_modules/ajv" ] && echo "$cache/node_modules"
+}
+
+test_a_trace_has_a_header_its_events_and_an_end() {
+    make_triangle
+    expect 0 't.trace.jsonl: [0-9,]+ lines' trace t.obj --size 12x10
+    expect_files t.obj t.trace.jsonl
+    head -1 t.trace.jsonl | grep -q '"format":"raster-trace","version":1' || failed 'no header'
+    tail -1 t.trace.jsonl | grep -q '"stage":"end","submitted":1' || failed 'no end'
+    grep -q '"stage":"blend","draw":0,"triangle":1' t.trace.jsonl || failed 'no pixel was written'
+    expect 0 '' trace t.obj --size 12x10 -o - -q
+    same "$stdout" t.trace.jsonl
+}
+
+test_filters_leave_the_rest_out() {
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 -1\nf 1 2 3\nf 2 4 3\n' >t.obj
+    run trace t.obj --size 12x10 -o all.jsonl -q
+    run trace t.obj --size 12x10 -o - -q --triangle 2
+    grep -q '"triangle":1,' "$stdout" && failed 'triangle 1 is there'
+    diff <(grep '"triangle":2,' all.jsonl) <(grep '"triangle":2,' "$stdout") >/dev/null || failed 'triangle 2 is not complete'
+    run trace t.obj --size 12x10 -o - -q --pixel 5,5
+    diff <(grep '"x":5,"y":5,' all.jsonl) <(grep '"x":' "$stdout") >/dev/null || failed 'not the lines of pixel 5,5'
+    run trace t.obj --size 12x10 -o - -q --rect 4,5,3,2 --stage coverage,blend
+    diff <(grep -E '"stage":"(coverage|blend)".*"x":[456],"y":[56],' all.jsonl) <(grep '"x":' "$stdout") >/dev/null ||
+        failed 'not the lines of the rectangle'
+    grep -qE '"stage":"(vertex|depth|setup)"' "$stdout" && failed 'a stage that was not asked for'
+}
+
+test_the_same_trace_every_time_and_the_hash_tells_scenes_apart() {
+    make_triangle
+    run trace t.obj --size 12x10 -o a.jsonl -q
+    cp t.obj other.obj
+    run trace other.obj --size 12x10 -o b.jsonl -q
+    same <(tail -n +2 a.jsonl) <(tail -n +2 b.jsonl)
+    hash() { sed -n '1s/.*"scene_hash":"\([0-9a-f]*\)".*/\1/p' "$1"; }
+    [ "$(hash a.jsonl)" = "$(hash b.jsonl)" ] || failed 'the same scene has another hash'
+    run trace t.obj --size 12x10 --shade flat -o c.jsonl -q
+    [ "$(hash a.jsonl)" != "$(hash c.jsonl)" ] || failed 'another scene has the same hash'
+}
+
+test_mistakes_are_told_and_write_nothing() {
+    make_triangle
+    expect 2 "^error: --pixel: '5' is no pixel" trace t.obj --pixel 5
+    expect 2 "^error: --pixel: '-1,2' is no pixel" trace t.obj --pixel -1,2
+    expect 2 'beyond the picture of 800x600' trace t.obj --pixel 800,0
+    expect 2 'beyond the picture of 8x8' trace t.obj --rect 4,4,5,1 --size 8x8
+    expect 2 "^error: --rect: '1,2,3' is no rectangle" trace t.obj --rect 1,2,3
+    expect 2 'there is no triangle 2; the model has 1' trace t.obj --triangle 2
+    expect 2 '^error: --triangle' trace t.obj --triangle 0
+    expect 2 "'deph' is none of .*; did you mean depth" trace t.obj --stage deph
+    expect 2 '' trace t.obj --pixel 1,1 --rect 1,1,2,2
+    expect 2 '' trace t.obj -o t.obj
+    expect 3 '' trace t.obj -o no/where.jsonl
+    expect_files t.obj
+}
+
+test_every_line_is_as_the_schema_says() {
+    local modules
+    modules=$(ajv_folder)
+    [ -n "$modules" ] || { echo "skipped: no ajv (npm)"; return; }
+    cp "$SOURCE/tests/fuzz/corpus/obj/cube.obj" m.obj
+    run trace m.obj --size 14x10 -o phong.jsonl
+    run trace m.obj --size 14x10 -o flat.jsonl --shade flat --hidden painter --cull back --fill-rule direct3d
+    run trace m.obj --size 14x10 -o gouraud.jsonl --shade gouraud --material alpha=0.5 --rect 2,2,9,7
+    run trace m.obj --size 14x10 -o clipped.jsonl --camera-position 0.4,0.5,0.3 --camera-focal-point 0,0,-1 --near 0.1 --triangle 1
+    run trace m.obj --size 14x10 -o cut.jsonl --near 2.5
+    node "$SOURCE/tests/tool/check_trace.js" "$modules" "$SOURCE/docs/trace.schema.json" ./*.jsonl >"$stderr" 2>&1 ||
+        failed 'a line is not as the schema says, or the schema takes anything'
+}
+
+run_tests "$@"
