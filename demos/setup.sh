@@ -5,7 +5,8 @@ build_packages=(cmake ninja-build g++ pkg-config
     libcli11-dev nlohmann-json3-dev)
 # bunny.obj; spider.obj and many more; cornell_box.obj
 model_packages=(glmark2-data assimp-testmodels)
-test_packages=(libgtest-dev libgmock-dev doxygen clang libclang-rt-14-dev libosmesa6-dev embree-tools)
+test_packages=(libgtest-dev libgmock-dev doxygen clang libclang-rt-14-dev libosmesa6-dev embree-tools
+    python3-jsonschema)
 
 bench_packages=(libosmesa6-dev)
 

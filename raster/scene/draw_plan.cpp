@@ -75,8 +75,9 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& m) const {
     }
     if (m.illumination < 2) s.specular = glm::vec3(0.0f);
 
-    AnyReflectance reflectance = options_.reflectance;
-    if (options_.reflectance_from_material) reflectance = RuntimeModel{reflectance}.with_material(m).model;
+    const std::optional<AnyReflectance> own = find_reflectance(m.reflectance);
+    AnyReflectance reflectance = own.value_or(options_.reflectance);
+    if (own || options_.reflectance_from_material) reflectance = RuntimeModel{reflectance}.with_material(m).model;
     return {s, reflectance, s.alpha < 1.0f || s.alpha_texture};
 }
 

@@ -28,6 +28,7 @@ struct Texture {
 /// A material in the terms of MTL files. Colours are as the file has them; a texture index of -1 means none.
 struct Material {
     std::string name;
+    std::string reflectance;  ///< name of a reflectance model (shading/models.h); empty: the one the picture is drawn with
     glm::vec3 ambient{0.0f};
     glm::vec3 diffuse{0.8f};
     glm::vec3 specular{0.0f};

@@ -37,7 +37,7 @@ Material default_material();
 /// How a model becomes a picture. The defaults are meant to show any model well.
 struct RenderOptions {
     ShadingFrequency frequency = ShadingFrequency::phong;
-    AnyReflectance reflectance = BlinnPhong{};
+    AnyReflectance reflectance = BlinnPhong{};  ///< of materials that name none
     bool reflectance_from_material = true;  ///< materials set the model's parameters (Ns its exponent); else as given
     std::vector<Light> lights = default_lights();
     AmbientColor ambient_color = AmbientColor::diffuse;

@@ -42,8 +42,21 @@ std::vector<ProfilePoint> smooth_profile(std::span<const glm::dvec2> points);
 /// pole.
 Model surface_of_revolution(std::span<const ProfilePoint> profile, int segments);
 
+/// A curve through points (Catmull and Rom, A class of local interpolating splines, 1974), `steps` pieces from each to
+/// the next, 1 to 64; 1 is the points themselves. A point given twice stays a sharp corner.
+std::vector<glm::dvec2> curve_through(std::span<const glm::dvec2> points, int steps);
+/// A vase with a wall, 2.4 high on y = 0, closed at its bottom: a surface of revolution with `steps` bands between each
+/// two points of its outline, 1 to 64.
+Model vase(int segments = 96, int steps = 8);
+/// A closed cylinder of radius 1 around the y axis, from y = -1 to 1, with sharp edges.
+Model cylinder(int segments = 96);
+
 /// Radius 1 around the origin; 3 to 1024 meridians and 2 to 1024 parallels' bands. The normals are exact.
 Model sphere(int segments = 48, int rings = 24);
+/// Radius 1 around the origin, from an icosahedron whose every edge is cut into `divisions` pieces, 1 to 256: 20
+/// divisions^2 triangles of much the same size. The normals are exact. Texture coordinates are those of sphere(); the
+/// triangles across the seam go on to 1.1.
+Model icosphere(int divisions = 8);
 /// A ring of radius 1 around the y axis with a tube of the given radius, above 0 and below 1; normals are
 /// exact.
 Model torus(float tube_radius = 0.4f, int segments = 64, int sides = 32);

@@ -34,7 +34,9 @@ std::string canonical(const std::string& path) {
 bool is_standard_output(const std::string& path) { return path == "-" || path == "/dev/stdout"; }
 
 std::string default_picture_path(const std::string& model) {
-    const std::string stem = fs::path(model).stem().string();
+    // shape:NAME:KEY=VALUE is named like its shape.
+    const bool is_shape = model.starts_with("shape:");
+    const std::string stem = is_shape ? model.substr(6, model.find(':', 6) - 6) : fs::path(model).stem().string();
     return (stem.empty() || stem == "." || stem == ".." ? "picture" : stem) + ".png";
 }
 

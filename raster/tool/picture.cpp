@@ -6,6 +6,8 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <raster/scene/shape_list.h>
+
 #include "report.h"
 
 namespace raster::tool {
@@ -23,23 +25,31 @@ constexpr Choices<Filter, 2> filters = {{{"nearest", Filter::nearest}, {"bilinea
 constexpr Choices<Wrap, 3> wraps = {{{"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}, {"mirror", Wrap::mirror}}};
 constexpr Choices<int, 1> sample_counts = {{{"1", 1}}};
 
-Result<AnyReflectance> parse_reflectance(std::string_view text) {
-    if (const auto found = find_reflectance(text)) return *found;
-    std::vector<std::string> names;
-    std::string known;
-    for (const std::string_view name : reflectance_names()) {
-        names.emplace_back(name);
-        known += (known.empty() ? "" : ", ") + std::string(name);
+std::string model_help() {
+    std::string text =
+        "A Wavefront OBJ file; its materials and textures are found beside it. Or a scene file, .json, whose lights,"
+        " camera and settings count where no flag is given (docs/scene.md). Or a shape, shape:NAME[:KEY=VALUE]...:";
+    for (const Shape& shape : shape_list()) {
+        text += shape.name == shape_list().front().name ? " " : ", ";
+        text += shape.name;
+        for (const ShapeParameter& p : shape.parameters)
+            text += (&p == &shape.parameters.front() ? " (" : ", ") + std::string(p.name);
+        if (!shape.parameters.empty()) text += ")";
     }
-    return Error{ErrorKind::usage, in_quotes(text) + " is none of " + known + did_you_mean(text, names)};
+    return text + ".";
 }
 
 }  // namespace
 
 void add_load_flags(CLI::App& app, LoadFlags& flags) {
-    app.add_option("MODEL", flags.model, "A Wavefront OBJ file; its materials and textures are found beside it.")
-        ->required()
-        ->group("Arguments");
+    app.add_option("MODEL", flags.model, model_help())->required()->group("Arguments");
+    // Whatever command it is: a scene says what its flags would, where they are not given.
+    app.final_callback([&app, &flags] {
+        if (!is_scene(flags.model)) return;
+        flags.scene = SceneFile::read(flags.model);
+        if (!*flags.scene) return;
+        if (const Status status = (*flags.scene)->set_flags(app); !status) flags.scene = status.error();
+    });
     ObjOptions& o = flags.options;
     const auto angle = [](std::string_view text) { return parse_number_within(text, 0.0f, 180.0f); };
     add_value(app, "--crease-angle", "DEG", o.crease_angle, angle,
@@ -56,8 +66,11 @@ Result<Loaded> load(const LoadFlags& flags, Progress& progress, bool quiet) {
     Loaded loaded;
     ObjOptions options = flags.options;
     options.progress = [&](double part) { progress.update(part); };
+    if (flags.scene && !*flags.scene) return flags.scene->error();
     progress.begin("load");
-    Result<Model> model = load_obj(flags.model, options, loaded.report);
+    Result<Model> model = flags.scene              ? (*flags.scene)->load(options, loaded.report)
+                          : is_shape(flags.model) ? load_shape(flags.model)
+                                                   : load_obj(flags.model, options, loaded.report);
     progress.end();
     if (!quiet || !model) {
         const std::vector<std::string> messages = loaded.report.messages();

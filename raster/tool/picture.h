@@ -10,14 +10,16 @@
 
 #include "flags.h"
 #include "progress.h"
+#include "scene_file.h"
 #include "specs.h"
 
 namespace raster::tool {
 
 /// How a model file is read.
 struct LoadFlags {
-    std::string model;  ///< path
+    std::string model;  ///< path of an OBJ or a scene file, or shape:NAME
     ObjOptions options;
+    std::optional<Result<SceneFile>> scene;  ///< where the model is a scene: read and its flags set, or why not
 };
 void add_load_flags(CLI::App& app, LoadFlags& flags);
 

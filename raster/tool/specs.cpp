@@ -24,7 +24,7 @@ const char* const light_help =
     "[head]";
 
 const char* const material_help =
-    "Changes all materials: KEY=VALUE[:KEY=VALUE]... Keys: color=COLOR (diffuse, without its texture, and ambient),"
+    "Changes all materials: KEY=VALUE[:KEY=VALUE]... Keys: reflectance=NAME (as --reflectance); color=COLOR (diffuse, without its texture, and ambient),"
     " ambient, diffuse, specular, emission=COLOR; shininess=N (the highlight's exponent, 0 to 1000);"
     " alpha=N (0 to 1, 1 is opaque); roughness, metallic, sheen=N (0 to 1; no reflectance model reads these yet).";
 
@@ -51,6 +51,11 @@ Result<LightSpace> parse_space(std::string_view text) {
     if (text == "world") return LightSpace::world;
     if (text == "eye") return LightSpace::eye;
     return usage(in_quotes(text) + " is none of world, eye");
+}
+
+Result<std::string> parse_reflectance_name(std::string_view text) {
+    if (const auto found = parse_reflectance(text); !found) return found.error();
+    return std::string(text);
 }
 
 /// What a light specification says; which keys a kind of light knows is told by `allowed`.
@@ -103,6 +108,13 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
+Result<AnyReflectance> parse_reflectance(std::string_view text) {
+    if (const auto found = find_reflectance(text)) return *found;
+    std::vector<std::string> names;
+    for (const std::string_view name : reflectance_names()) names.emplace_back(name);
+    return usage(in_quotes(text) + " is none of " + joined(names) + did_you_mean(text, names));
+}
+
 Result<std::vector<Light>> parse_light(std::string_view text) {
     const Result<Spec> spec = parse_spec(text);
     if (!spec) return spec.error();
@@ -153,6 +165,7 @@ void MaterialChange::apply_to(Material& m) const {
         m.diffuse = m.ambient = *color;
         m.diffuse_texture = m.ambient_texture = -1;
     }
+    set(m.reflectance, reflectance);
     set(m.ambient, ambient);
     set(m.diffuse, diffuse);
     set(m.specular, specular);
@@ -189,9 +202,10 @@ Result<MaterialChange> parse_material(std::string_view text) {
                                          {"metallic", &MaterialChange::metallic, 1.0f},
                                          {"sheen", &MaterialChange::sheen, 1.0f}};
     for (const auto& [key, value] : spec->values) {
-        Status status = usage("");
-        std::vector<std::string> known;
-        bool found = false;
+        Status status = Done{};
+        std::vector<std::string> known = {"reflectance"};
+        bool found = key == "reflectance";
+        if (found) status = store(change.reflectance, key, parse_reflectance_name(value));
         for (const auto& [name, member] : colors) {
             known.push_back(name);
             if (name != key) continue;

@@ -10,12 +10,16 @@
 
 namespace raster::tool {
 
+/// A reflectance model by its name.
+Result<AnyReflectance> parse_reflectance(std::string_view text);
+
 /// What --light takes. `head` can be several lights.
 Result<std::vector<Light>> parse_light(std::string_view text);
 extern const char* const light_help;
 
 /// What --material changes; the rest stays as the model's file has it.
 struct MaterialChange {
+    std::optional<std::string> reflectance;
     std::optional<glm::vec3> color, ambient, diffuse, specular, emission;
     std::optional<float> shininess, alpha, roughness, metallic, sheen;
 
