@@ -12,10 +12,13 @@
 //     10 fragment      varyings to colour                        stages/fragment.h
 //     11 blend         colour into the target                    stages/blend.h
 //
+// Lines and points take the same way; stages/stroke.h has their stages 2 to 7. Stages 8 to 11 of one pixel are in pixel.h.
+//
 // A pixel is a pure function of (triangle setup, x, y), folded over the triangles in submission order. So the observed
 // draw below, which takes one pixel after the other, and the fast one in tiles/draw.h give the same bits.
 #pragma once
 
+#include <raster/pixel.h>
 #include <raster/shader.h>
 #include <raster/stages/assemble.h>
 #include <raster/stages/blend.h>
@@ -27,10 +30,12 @@
 #include <raster/stages/interpolate.h>
 #include <raster/stages/project.h>
 #include <raster/stages/setup.h>
+#include <raster/stages/stroke.h>
 #include <raster/stages/vertex.h>
 #include <raster/state.h>
 #include <raster/target.h>
 #include <raster/tiles/draw.h>
+#include <raster/tiles/strokes.h>
 #include <raster/trace/events.h>
 
 namespace raster {
@@ -40,6 +45,7 @@ namespace raster {
 template <Shader S>
 DrawCounts draw(Target& target, const S& shader, const std::type_identity_t<Mesh<typename S::template Vertex<float>>>& mesh,
                 const State& state = {}) {
+    if (corner_count(state.topology) < 3) return tiles::draw_strokes(target, shader, mesh, state);
     return tiles::draw(target, shader, mesh, state);
 }
 
@@ -56,14 +62,18 @@ public:
           mesh_(mesh),
           state_(state),
           viewport_(effective_viewport(state.viewport, target.width(), target.height())),
+          limits_(drawable_pixels(state, target.width(), target.height())),
           observer_(observer) {}
 
     DrawCounts run() {
         if (!is_valid(viewport_)) return {};
         shade_vertices();
         const std::size_t indices = mesh_.indices.empty() ? mesh_.vertices.size() : mesh_.indices.size();
-        const std::size_t triangles = triangle_count(state_.topology, indices);
-        for (std::size_t i = 0; i < triangles; ++i) draw_triangle(std::int64_t(i));
+        const std::size_t primitives = primitive_count(state_.topology, indices);
+        const bool triangles = corner_count(state_.topology) == 3;
+        const StrokeContext context{state_, ViewportTransform(viewport_), target_.width(), target_.height(), limits_};
+        for (std::size_t i = 0; i < primitives; ++i)
+            triangles ? draw_triangle(std::int64_t(i)) : draw_stroke(context, i, indices);
         return counts_;
     }
 
@@ -121,7 +131,7 @@ private:
         Polygon polygon;
         bool finite = true;
         for (std::size_t c = 0; c < 3; ++c) {
-            outcodes[c] = outcode(corners[c].clip);
+            outcodes[c] = outcode(corners[c].clip) | user_outcode(state_.clip_planes, corners[c].clip);
             finite = finite && is_finite(corners[c].clip);
             polygon.add(corners[c]);
         }
@@ -140,22 +150,23 @@ private:
             tell(outcodes, Verdict::inside, 1);
             return polygon;
         }
-        polygon = clip_triangle<S>(polygon, outside, [&](ClipPlane plane, const Polygon& before, const Polygon& after) {
+        const auto seen = [&](ClipPlane plane, const Polygon& before, const Polygon& after) {
             notify<ClipPlaneEvent>(observer_, [&] {
                 return ClipPlaneEvent{triangle, plane, describe(before_corners_, plane, before),
                                       describe(after_corners_, plane, after)};
             });
-        });
+        };
+        polygon = clip_triangle<S>(polygon, outside, seen, state_.clip_planes);
         keep_flat_varyings<S>(polygon, corners[2]);
         if (polygon.count < 3) ++counts_.outside;
         tell(outcodes, Verdict::clipped, std::max(polygon.count - 2, 0));
         return polygon;
     }
 
-    static std::span<const ClipCorner> describe(std::array<ClipCorner, 3 + clip_plane_count>& room, ClipPlane plane,
-                                                const Polygon& polygon) {
+    std::span<const ClipCorner> describe(std::array<ClipCorner, 3 + max_clip_planes>& room, ClipPlane plane,
+                                         const Polygon& polygon) const {
         for (std::size_t i = 0; i < std::size_t(polygon.count); ++i)
-            room[i] = {polygon.corners[i].clip, clip_distance(plane, polygon.corners[i].clip),
+            room[i] = {polygon.corners[i].clip, clip_distance(plane, polygon.corners[i].clip, state_.clip_planes),
                        polygon.corners[i].varyings};
         return {room.data(), std::size_t(polygon.count)};
     }
@@ -182,8 +193,9 @@ private:
         fate.any_culled |= verdict == CullEvent::Verdict::culled;
         if (verdict != CullEvent::Verdict::kept) return;
 
-        const TriangleSetup setup =
-            make_setup(window, subpixel, area, state_.fill_rule, target_.width(), target_.height());
+        TriangleSetup setup = make_setup(window, subpixel, area, state_.fill_rule, target_.width(), target_.height(),
+                                         state_.depth_offset, target_.depth_format());
+        setup.box = intersection(setup.box, limits_);
         const auto corner = [&](std::size_t i) { return std::size_t(setup.order[i]); };
         const auto planes = make_varying_planes<S, float>(
             setup.basis, {&corners[corner(0)].varyings, &corners[corner(1)].varyings, &corners[corner(2)].varyings},
@@ -207,44 +219,24 @@ private:
         notify<CoverageEvent>(observer_, [&] { return CoverageEvent{triangle, piece, x, y, edges, covered}; });
         if (!covered) return;
 
-        const float px = float(x), py = float(y);
-        const float z = value_at(setup.depth, px, py);
-        std::uint32_t& stored = target_.depth()[target_.index(x, y)];
-        const std::int32_t incoming = encode_depth(target_.depth_format(), z);
-        const bool passed = depth_passes(state_.depth_compare, incoming, std::int32_t(stored));
-        notify<DepthEvent>(observer_, [&] {
-            return DepthEvent{triangle, piece, x, y, z, std::uint32_t(incoming), stored, passed};
-        });
-        if (!passed) return;
-        if (state_.depth_write) stored = std::uint32_t(incoming);
+        raster::draw_pixel<S>(target_, shader_, state_, {triangle, piece, x, y, front_facing}, setup.depth, planes,
+                              observer_);
+    }
 
-        if constexpr (HasFragment<S>) {
-            if (!state_.color_write) return;
-            const auto varyings = interpolate<S, float>(planes, px, py);
-            const float oow = value_at(planes.oow, px, py);
-            notify<InterpolateEvent>(observer_, [&] { return InterpolateEvent{triangle, piece, x, y, oow, varyings}; });
-
-            const FragmentInput<float> at{
-                {px + 0.5f, py + 0.5f}, z, oow, front_facing, std::int32_t(triangle)};
-            const auto outputs = shade_fragment<S, float>(shader_, varyings, at);
-            notify<FragmentEvent>(observer_, [&] { return FragmentEvent{triangle, piece, x, y, outputs}; });
-
-            const glm::vec4 source(outputs[0], outputs[1], outputs[2], outputs[3]);
-            const std::size_t place = target_.index(x, y);
-            const glm::vec4 before = target_.color(x, y);
-            if (target_.color_format() == ColorFormat::rgba8) {
-                std::uint32_t& color = target_.color8()[place];
-                color = blend_rgba8(state_.blend, std::uint32_t(pack_rgba8(source)), color);
-            } else {
-                glm::vec4& color = target_.color_float()[place];
-                color = blend_float(state_.blend, source, color);
-            }
-            for (int e = 0; e < std::min(output_count<S> - 4, target_.extra_channels()); ++e)
-                target_.extra(e)[place] = outputs[std::size_t(4 + e)];
-            notify<BlendEvent>(observer_, [&] {
-                return BlendEvent{triangle, piece, x, y, source, before, target_.color(x, y)};
-            });
-        }
+    /// Lines and points: stages 8 to 11 are told of, with the primitive's number.
+    void draw_stroke(const StrokeContext& context, std::size_t primitive, std::size_t indices) {
+        const auto vertex = [&](std::size_t k) {
+            const std::size_t v = mesh_.indices.empty() ? k : mesh_.indices[k];
+            return v < shaded_.size() ? &shaded_[v] : nullptr;
+        };
+        const auto stroke = make_stroke<S>(context, primitive, indices, vertex, counts_);
+        if (!stroke) return;
+        const PixelBox box = pixels_to_run(observer_, stroke->box);
+        for (int y = box.min_y; y <= box.max_y; ++y)
+            for (int x = box.min_x; x <= box.max_x; ++x)
+                if (covers(*stroke, x, y))
+                    raster::draw_pixel<S>(target_, shader_, state_, {stroke->primitive, 0, x, y, true}, stroke->depth,
+                                          stroke->varyings, observer_);
     }
 
     Target& target_;
@@ -252,9 +244,10 @@ private:
     const Mesh<typename S::template Vertex<float>>& mesh_;
     const State& state_;
     Viewport viewport_;
+    PixelBox limits_;
     Observer& observer_;
     std::vector<Vertex> shaded_;
-    std::array<ClipCorner, 3 + clip_plane_count> before_corners_, after_corners_;
+    std::array<ClipCorner, 3 + max_clip_planes> before_corners_, after_corners_;
     DrawCounts counts_;
 };
 

@@ -3,13 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include <glm/glm.hpp>
 
 namespace raster {
 
-/// How indices become triangles (OpenGL 4.6, 10.1).
-enum class Topology { triangles, triangle_strip, triangle_fan };
+/// How indices become triangles, points or lines (OpenGL 4.6, 10.1).
+enum class Topology { triangles, triangle_strip, triangle_fan, points, lines, line_strip, line_loop };
 
 /// The comparison an incoming depth must pass against the stored one.
 enum class Compare { never, less, equal, less_equal, greater, not_equal, greater_equal, always };
@@ -42,6 +44,26 @@ struct Viewport {
     float far_depth = 1.0f;   ///< window z of ndc z = 1
 };
 
+/// A rectangle of pixels; row 0 is on top.
+struct Scissor {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// What is added to the depth of a triangle's pixels (OpenGL 4.6, 14.6.5): its steepest slope, in depth a pixel, times
+/// `factor`, and `units` smallest steps of the depth buffer. Points and lines are not moved.
+struct DepthOffset {
+    float factor = 0;
+    float units = 0;
+
+    bool is_on() const { return factor != 0 || units != 0; }
+};
+
+/// How many clip planes a draw may have beside those of the view volume.
+inline constexpr int max_user_planes = 8;
+
 /// The state of a draw. The defaults are OpenGL's with the depth test on.
 struct State {
     Topology topology = Topology::triangles;
@@ -53,16 +75,23 @@ struct State {
     bool depth_write = true;
     bool color_write = true;
     Blend blend = Blend::off;
+    std::optional<Scissor> scissor;  ///< no pixel outside changes
+    DepthOffset depth_offset;
+    /// Coefficients over clip space x, y, z, w; what has a negative sum is cut away. Not owned; at most
+    /// max_user_planes, the rest does nothing.
+    std::span<const glm::vec4> clip_planes;
+    int line_width = 1;    ///< of lines, in pixels, 1 and more
+    float point_size = 1;  ///< of points, in pixels, rounded to whole ones, 1 and more
 };
 
-/// What became of the triangles of a draw. `submitted` is the sum of the others.
+/// What became of the triangles (or points, or lines) of a draw. `submitted` is the sum of the others.
 struct DrawCounts {
     std::int64_t submitted = 0;
     std::int64_t bad_index = 0;   ///< an index beyond the vertex array
     std::int64_t not_finite = 0;  ///< a NaN or infinite clip position
     std::int64_t outside = 0;     ///< wholly beyond one clip plane, or clipped to nothing
     std::int64_t culled = 0;      ///< facing the wrong way
-    std::int64_t zero_area = 0;   ///< no area after snapping
+    std::int64_t zero_area = 0;   ///< no area after snapping; a line without length
     std::int64_t drawn = 0;       ///< set up; whether it covers a pixel centre is another matter
 
     DrawCounts& operator+=(const DrawCounts& other) {

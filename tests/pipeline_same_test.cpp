@@ -117,6 +117,24 @@ TEST(Same, EveryCullFillAndTopologyCombination) {
                 }
 }
 
+TEST(Same, LinesPointsScissorOffsetsAndClipPlanes) {
+    Random random(seed(9));
+    for (int i = 0; i < 300; ++i) {
+        const int width = random.integer(1, 200), height = random.integer(1, 150);
+        Pair pair(width, height, ColorFormat(i & 1), DepthFormat(i >> 1 & 1), 7);
+        if (i % 3) pair.clear({0.1f, 0.2f, 0.3f, 0.4f}, 0.6f);
+        for (int draw = 0; draw < 3; ++draw) {
+            State state = random_state(random);
+            std::vector<glm::vec4> planes;
+            add_rare_state(state, random, width, height, planes);
+            SCOPED_TRACE(::testing::Message() << "round " << i << ", draw " << draw << ", topology " << int(state.topology));
+            const Vertices vertices = mixed_scene(random, 12, width, height, i % 4 == 0);
+            pair.draw(Full{}, Mesh(vertices), state);
+            if (::testing::Test::HasFailure()) return;
+        }
+    }
+}
+
 TEST(Same, SizesThatFitNoTile) {
     Random random(seed(3));
     constexpr int sizes[][2] = {{1, 1},     {1, 300},  {300, 1},   {2, 2},   {3, 5},    {7, 63},

@@ -133,4 +133,26 @@ inline State random_state(Random& random) {
     return state;
 }
 
+/// What more a state may say: lines and points, a scissor rectangle, moved depths, clip planes. The planes live as long
+/// as the caller's `planes`.
+inline void add_rare_state(State& state, Random& random, int width, int height, std::vector<glm::vec4>& planes) {
+    if (random.integer(0, 1)) {
+        state.topology = Topology(random.integer(3, 6));
+        state.line_width = random.integer(1, 5);
+        state.point_size = random.uniform(0.5f, 7.4f);
+    }
+    if (random.integer(0, 1)) {
+        Scissor s;
+        s.x = random.integer(-20, width), s.y = random.integer(-20, height);
+        s.width = random.integer(0, width), s.height = random.integer(0, height);
+        state.scissor = s;
+    }
+    if (random.integer(0, 1))
+        state.depth_offset.factor = random.uniform(-3, 3), state.depth_offset.units = random.uniform(-9999, 9999);
+    planes.resize(random.integer(0, 1) ? std::size_t(random.integer(1, 9)) : 0);
+    for (glm::vec4& plane : planes)
+        for (int i = 0; i < 4; ++i) plane[i] = random.uniform(i == 3 ? -0.1f : -1.0f, 1.0f);
+    state.clip_planes = planes;
+}
+
 }  // namespace raster::testing

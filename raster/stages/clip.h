@@ -1,18 +1,24 @@
-// clip.h: stage 3, cutting triangles at the six planes of the view volume (Sutherland and Hodgman 1974).
+// clip.h: stage 3, cutting triangles at the planes of the view volume and the user's (Sutherland and Hodgman 1974).
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <algorithm>
 #include <limits>
+#include <span>
 
 #include <raster/stages/vertex.h>
+#include <raster/state.h>
 
 namespace raster {
 
-/// The planes in the order in which they cut. Inside is where the distance is not negative.
+/// The planes in the order in which they cut. Inside is where the distance is not negative. Plane i of the user's is
+/// ClipPlane(clip_plane_count + i).
 enum class ClipPlane { right, left, top, bottom, near, far };
 inline constexpr int clip_plane_count = 6;
+inline constexpr int max_clip_planes = clip_plane_count + max_user_planes;
+using UserPlanes = std::span<const glm::vec4>;
 
 /// Coefficients over (x, y, z, w) of clip space.
 inline constexpr std::array<glm::vec4, clip_plane_count> clip_planes = {
@@ -38,16 +44,32 @@ inline Mask<F> is_finite(const vec<4, F>& clip) {
 }
 
 /// The signed distance to a plane, scaled by the length of its normal.
-inline float clip_distance(ClipPlane plane, const glm::vec4& clip) {
-    const glm::vec4& p = clip_planes[std::size_t(plane)];
-    return ((clip.x * p.x + clip.y * p.y) + clip.z * p.z) + clip.w * p.w;
+template <class F>
+inline F clip_distance(const glm::vec4& plane, const vec<4, F>& clip) {
+    return ((clip.x * F(plane.x) + clip.y * F(plane.y)) + clip.z * F(plane.z)) + clip.w * F(plane.w);
+}
+inline float clip_distance(ClipPlane plane, const glm::vec4& clip, UserPlanes user = {}) {
+    const int i = int(plane) - clip_plane_count;
+    return clip_distance(i < 0 ? clip_planes[std::size_t(plane)] : user[std::size_t(i)], clip);
+}
+
+/// How many of a state's planes count.
+inline int user_plane_count(UserPlanes user) { return std::min(int(user.size()), max_user_planes); }
+
+/// Bit clip_plane_count + i is set where the position is outside plane i of the user's.
+template <class F>
+inline Int<F> user_outcode(UserPlanes user, const vec<4, F>& clip) {
+    Int<F> code(0);
+    for (int i = 0; i < user_plane_count(user); ++i)
+        code = code | select(clip_distance(user[std::size_t(i)], clip) < F(0), Int<F>(1 << (clip_plane_count + i)), Int<F>(0));
+    return code;
 }
 
 /// A convex polygon on its way through the planes. Each plane adds at most one corner to a triangle's three.
 template <std::size_t N>
 struct ClipPolygon {
     using Vertex = ShadedVertex<float, N>;
-    std::array<Vertex, 3 + clip_plane_count> corners;
+    std::array<Vertex, 3 + max_clip_planes> corners;
     int count = 0;
     bool clipped = false;  ///< a plane has cut it
 
@@ -82,14 +104,14 @@ inline ShadedVertex<float, N> clip_intersection(const ShadedVertex<float, N>& a,
 
 /// The part of the polygon on the inner side of one plane. Empty when a distance is not finite.
 template <Shader S, std::size_t N>
-inline ClipPolygon<N> clip_against(ClipPlane plane, const ClipPolygon<N>& polygon) {
+inline ClipPolygon<N> clip_against(ClipPlane plane, const ClipPolygon<N>& polygon, UserPlanes user = {}) {
     ClipPolygon<N> result;
     result.clipped = true;
     for (int i = 0; i < polygon.count; ++i) {
         const auto& a = polygon.corners[std::size_t(i)];
         const auto& b = polygon.corners[std::size_t(i + 1 == polygon.count ? 0 : i + 1)];
-        const float da = clip_distance(plane, a.clip);
-        const float db = clip_distance(plane, b.clip);
+        const float da = clip_distance(plane, a.clip, user);
+        const float db = clip_distance(plane, b.clip, user);
         if (!std::isfinite(da) || !std::isfinite(db)) return {};
         if (da >= 0) result.add(a);
         if ((da >= 0) != (db >= 0)) {
@@ -113,11 +135,11 @@ inline bool is_near_volume(const glm::vec4& clip) {
 /// The part of a triangle inside all planes that `outside`, the union of its corners' outcodes, names. seen(plane,
 /// before, after) is called for each cut. Empty when the numbers are too large to cut.
 template <Shader S, std::size_t N, class Seen>
-inline ClipPolygon<N> clip_triangle(ClipPolygon<N> polygon, std::int32_t outside, const Seen& seen) {
-    for (int plane = 0; plane < clip_plane_count && polygon.count >= 3; ++plane) {
+inline ClipPolygon<N> clip_triangle(ClipPolygon<N> polygon, std::int32_t outside, const Seen& seen, UserPlanes user = {}) {
+    for (int plane = 0; plane < max_clip_planes && polygon.count >= 3; ++plane) {
         if (!(outside & (1 << plane))) continue;
         const ClipPolygon<N> before = polygon;
-        polygon = clip_against<S>(ClipPlane(plane), before);
+        polygon = clip_against<S>(ClipPlane(plane), before, user);
         seen(ClipPlane(plane), before, polygon);
     }
     for (int i = 0; i < polygon.count; ++i)

@@ -25,19 +25,20 @@ inline std::int32_t snap_half_away(float window) {
 template <Shader S, std::size_t N>
 inline std::optional<std::array<ShadedVertex<float, N>, 2>> clip_line(const ShadedVertex<float, N>& v0,
                                                                       const ShadedVertex<float, N>& v1,
-                                                                      std::int32_t outside) {
+                                                                      std::int32_t outside, UserPlanes user = {}) {
     float t0 = 0, t1 = 0;  // how much is cut off at each end
-    for (int plane = 0; plane < clip_plane_count; ++plane) {
+    for (int plane = 0; plane < max_clip_planes; ++plane) {
         if (!(outside & (1 << plane))) continue;
-        const float d0 = clip_distance(ClipPlane(plane), v0.clip), d1 = clip_distance(ClipPlane(plane), v1.clip);
+        const float d0 = clip_distance(ClipPlane(plane), v0.clip, user);
+        const float d1 = clip_distance(ClipPlane(plane), v1.clip, user);
         if (!std::isfinite(d0) || !std::isfinite(d1)) return {};
         if (d0 < 0) t0 = max(t0, d0 / (d0 - d1));
         if (d1 < 0) t1 = max(t1, d1 / (d1 - d0));
         if (t0 + t1 >= 1) return {};
     }
     std::array<ShadedVertex<float, N>, 2> r = {v0, v1};
-    if (outcode(v0.clip)) r[0] = clip_intersection<S>(v0, v1, t0);
-    if (outcode(v1.clip)) r[1] = clip_intersection<S>(v1, v0, t1);
+    if (outcode(v0.clip) | user_outcode(user, v0.clip)) r[0] = clip_intersection<S>(v0, v1, t0);
+    if (outcode(v1.clip) | user_outcode(user, v1.clip)) r[1] = clip_intersection<S>(v1, v0, t1);
     for (const auto& v : r)
         if (!is_near_volume(v.clip)) return {};
     return r;

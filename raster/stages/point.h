@@ -27,6 +27,8 @@ inline PixelBox point_pixels(const WindowVertex<float>& v, float size, FillRule 
 }
 
 /// A point is clipped by its centre alone: all of it or nothing.
-inline bool is_point_visible(const glm::vec4& clip) { return is_finite(clip) && outcode(clip) == 0; }
+inline bool is_point_visible(const glm::vec4& clip, UserPlanes user = {}) {
+    return is_finite(clip) && (outcode(clip) | user_outcode(user, clip)) == 0;
+}
 
 }  // namespace raster

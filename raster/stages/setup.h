@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <raster/stages/cull.h>
+#include <raster/stages/depth.h>
 
 namespace raster {
 
@@ -75,6 +76,32 @@ inline F value_at(const Plane<F>& p, F px, F py) {
     return (p.dady * py) + ((p.dadx * px) + p.origin);
 }
 
+/// The plane of a triangle's depth, and what is added after it.
+template <class F>
+struct DepthPlane : Plane<F> {
+    F offset;
+};
+template <class F>
+inline F value_at(const DepthPlane<F>& p, F px, F py) {
+    return value_at(static_cast<const Plane<F>&>(p), px, py) + p.offset;
+}
+
+/// How much a triangle's depth is moved. For float depths the smallest step is that of the largest corner's exponent.
+template <class F>
+inline F depth_offset(const DepthOffset& offset, DepthFormat format, const WindowVertex<F>& v0, const WindowVertex<F>& v1,
+                      const WindowVertex<F>& v2) {
+    const F dx01 = v0.x - v1.x, dy01 = v0.y - v1.y, dz01 = v0.z - v1.z;
+    const F dx20 = v2.x - v0.x, dy20 = v2.y - v0.y, dz20 = v2.z - v0.z;
+    const F ooa = F(1) / (dx01 * dy20 - dy01 * dx20);
+    const F slope_x = abs((dz20 * dy01 - dy20 * dz01) * ooa), slope_y = abs((dx20 * dz01 - dz20 * dx01) * ooa);
+    const F slope = select(slope_x <= slope_y, slope_y, slope_x) * F(offset.factor);
+    // Mesa's smallest step is two of the 2^24 - 1.
+    if (format == DepthFormat::unorm24) return F(float(double(offset.units) * (2.0 / 16777215.0))) + slope;
+    const Int<F> largest = as_int(max(max(abs(v0.z), abs(v1.z)), abs(v2.z)));
+    const Int<F> exponent = (largest & Int<F>(0x7f800000)) - Int<F>(23 << 23);
+    return as_float(select(exponent > Int<F>(0), exponent, Int<F>(0))) * F(offset.units) + slope;
+}
+
 /// The pixels whose centres lie in the triangle's bounding box; empty when min > max.
 struct PixelBox {
     int min_x, min_y, max_x, max_y;  ///< both ends included
@@ -86,6 +113,16 @@ struct PixelBox {
 inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
     return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
             std::min(a.max_y, b.max_y)};
+}
+
+/// The pixels that a draw may change.
+inline PixelBox drawable_pixels(const State& state, int width, int height) {
+    const PixelBox all{0, 0, width - 1, height - 1};
+    if (!state.scissor) return all;
+    // The sum of two ints may not fit one.
+    const auto last = [](int start, int size) { return int(std::min<std::int64_t>(std::int64_t(start) + size, 1 << 30)) - 1; };
+    const Scissor& s = *state.scissor;
+    return intersection(all, {s.x, s.y, last(s.x, s.width), last(s.y, s.height)});
 }
 
 inline PixelBox bounding_pixels(const std::array<SubpixelVertex<float>, 3>& v, int width, int height) {
@@ -105,13 +142,14 @@ struct TriangleSetup {
     std::array<int, 3> order;   ///< which corner is 0, 1, 2 below
     std::array<Edge<float>, 3> edges;  ///< from 0 to 1, 1 to 2, 2 to 0
     PlaneBasis<float> basis;
-    Plane<float> depth;
+    DepthPlane<float> depth;
     PixelBox box;
 };
 
 inline TriangleSetup make_setup(const std::array<WindowVertex<float>, 3>& window,
                                 const std::array<SubpixelVertex<float>, 3>& subpixel, std::int64_t area, FillRule rule,
-                                int width, int height) {
+                                int width, int height, const DepthOffset& offset = {},
+                                DepthFormat format = DepthFormat::unorm24) {
     TriangleSetup s;
     s.order = setup_order(area);
     const auto corner = [&](int i) { return std::size_t(s.order[std::size_t(i)]); };
@@ -119,7 +157,7 @@ inline TriangleSetup make_setup(const std::array<WindowVertex<float>, 3>& window
         s.edges[std::size_t(i)] = make_edge(subpixel[corner(i)], subpixel[corner((i + 1) % 3)], rule);
     const auto &v0 = window[corner(0)], &v1 = window[corner(1)], &v2 = window[corner(2)];
     s.basis = make_plane_basis(v0, v1, v2);
-    s.depth = make_plane(s.basis, v0.z, v1.z, v2.z);
+    s.depth = {make_plane(s.basis, v0.z, v1.z, v2.z), offset.is_on() ? depth_offset(offset, format, v0, v1, v2) : 0.0f};
     s.box = bounding_pixels(subpixel, width, height);
     return s;
 }

@@ -62,8 +62,9 @@ private:
         counts_.culled += std::popcount(live & ~slow & ~zero & culled);
         counts_.drawn += std::popcount(kept);
 
-        const IntN x0 = max(box.first_x(), IntN(0)), y0 = max(box.first_y(), IntN(0));
-        const IntN x1 = min(box.last_x(), IntN(draw_.width - 1)), y1 = min(box.last_y(), IntN(draw_.height - 1));
+        const PixelBox& limits = draw_.limits;
+        const IntN x0 = max(box.first_x(), IntN(limits.min_x)), y0 = max(box.first_y(), IntN(limits.min_y));
+        const IntN x1 = min(box.last_x(), IntN(limits.max_x)), y1 = min(box.last_y(), IntN(limits.max_y));
         std::uint32_t visible = kept & bitmask((x0 <= x1) & (y0 <= y1));
         const std::uint32_t large =
             visible & bitmask(((box.max_x - box.min_x) | (box.max_y - box.min_y)) >= IntN(tile_size * subpixels));
@@ -129,7 +130,7 @@ private:
             ++counts_.not_finite;
             return;
         }
-        if (all) {
+        if (all & ~user_plane_bit) {
             ++counts_.outside;
             return;
         }
@@ -161,7 +162,9 @@ private:
     [[gnu::noinline]] bool bin_large(const std::array<WindowVertex<float>, 3>& window, std::uint32_t triangle, std::int32_t piece) {
         const std::array<SubpixelVertex<float>, 3> subpixel{snap(window[0]), snap(window[1]), snap(window[2])};
         const std::int64_t area = signed_area(subpixel);
-        const TriangleSetup setup = make_setup(window, subpixel, area, draw_.state.fill_rule, draw_.width, draw_.height);
+        TriangleSetup setup = make_setup(window, subpixel, area, draw_.state.fill_rule, draw_.width, draw_.height,
+                                         draw_.state.depth_offset, draw_.depth_format);
+        setup.box = intersection(setup.box, draw_.limits);
         if (setup.box.empty()) return false;
         emit(setup.box, large_bit | std::uint32_t(bins_.large.size()));
         bins_.large.push_back({window, setup, triangle, piece, is_front_facing(draw_.state.front_face, area)});

@@ -34,6 +34,8 @@ struct DrawContext {
     std::uint32_t first_vertex;
     std::span<const WindowVertex<float>> window;
     std::span<const std::uint8_t> outcodes;
+    PixelBox limits;  ///< the pixels that may change
+    DepthFormat depth_format;
 
     /// The three vertices of a triangle, by number; beyond the vertex array for a bad index.
     std::array<std::uint32_t, 3> corners(std::size_t triangle) const {
@@ -73,7 +75,7 @@ struct DrawContext {
 
 /// A triangle that some pixel of the tile shows or has shown.
 struct Slot {
-    Plane<float> depth;
+    DepthPlane<float> depth;
     std::uint32_t chunk, entry;  ///< which bin entry it is
     bool front_facing;
 };
@@ -83,7 +85,7 @@ class Clipper {
 public:
     struct Fan {
         int count = 0;
-        std::array<std::array<WindowVertex<float>, 3>, 1 + clip_plane_count> pieces;
+        std::array<std::array<WindowVertex<float>, 3>, 1 + max_clip_planes> pieces;
     };
     /// The triangles that remain of one, of whose corners `outside` is the union of outcodes.
     virtual Fan clip(std::size_t triangle, std::int32_t outside) = 0;

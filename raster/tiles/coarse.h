@@ -18,21 +18,21 @@ struct DepthRange {
 
 /// Whether value_at stays a number for every pixel of a target: products and sums cannot overflow to inf - inf.
 template <class F>
-inline Mask<F> is_tame(const Plane<F>& p) {
+inline Mask<F> is_tame(const DepthPlane<F>& p) {
     const F limit(1e30f);
-    return Mask<F>((abs(p.origin) < limit) & (abs(p.dadx) < limit) & (abs(p.dady) < limit));
+    return Mask<F>((abs(p.origin) < limit) & (abs(p.dadx) < limit) & (abs(p.dady) < limit) & (abs(p.offset) < limit));
 }
 
 /// The smallest and the largest depth of a plane over the pixels x0..x1, y0..y1, encoded. Each rounding in value_at and
 /// encode_depth keeps order, so the extremes lie at corners, to the last bit.
 template <class F>
-inline std::pair<Int<F>, Int<F>> depth_extremes(DepthFormat format, const Plane<F>& plane, F x0, F y0, F x1, F y1) {
+inline std::pair<Int<F>, Int<F>> depth_extremes(DepthFormat format, const DepthPlane<F>& plane, F x0, F y0, F x1, F y1) {
     const Mask<F> right = plane.dadx >= F(0), down = plane.dady >= F(0), tame = is_tame(plane);
     const Int<F> low = encode_depth(format, value_at(plane, select(right, x0, x1), select(down, y0, y1)));
     const Int<F> high = encode_depth(format, value_at(plane, select(right, x1, x0), select(down, y1, y0)));
     return {select(tame, low, Int<F>(DepthRange{}.min)), select(tame, high, Int<F>(DepthRange{}.max))};
 }
-inline DepthRange depth_range(DepthFormat format, const Plane<float>& plane, int x0, int y0, int x1, int y1) {
+inline DepthRange depth_range(DepthFormat format, const DepthPlane<float>& plane, int x0, int y0, int x1, int y1) {
     const auto [low, high] = depth_extremes(format, plane, float(x0), float(y0), float(x1), float(y1));
     return {low, high};
 }

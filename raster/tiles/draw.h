@@ -12,6 +12,7 @@
 #include <raster/tiles/parallel.h>
 #include <raster/tiles/raster.h>
 #include <raster/tiles/resolve.h>
+#include <raster/tiles/scissor.h>
 
 namespace raster::tiles {
 
@@ -44,7 +45,10 @@ public:
     Fan clip(std::size_t triangle, std::int32_t outside) override {
         ClipPolygon<std::size_t(varying_count<S>)> corners;
         for (const std::uint32_t v : draw_.corners(triangle)) corners.add(shade_vertex<S, float>(shader_, vertices_[v]));
-        polygon_ = clip_triangle<S>(corners, outside, [](auto&&...) {});
+        const UserPlanes user = draw_.state.clip_planes;
+        outside &= not_finite_bit - 1;
+        for (int c = 0; c < 3; ++c) outside |= user_outcode(user, corners.corners[std::size_t(c)].clip);
+        polygon_ = clip_triangle<S>(corners, outside, [](auto&&...) {}, user);
         keep_flat_varyings<S>(polygon_, corners.corners[2]);
         Fan fan;
         for (; fan.count + 2 < polygon_.count; ++fan.count)
@@ -87,12 +91,14 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
         if (blends) {
             BlendingShader<S> shader(context, target);
             raster_blended(draw, context.chunks, tile_index, tile, target, shader);
+            restore_outside(tile, target, draw.limits);
             store_depth(tile, target);
             return;
         }
     }
     const bool colors = HasFragment<S> && draw.state.color_write;
     raster_opaque(draw, context.chunks, tile_index, tile, target.depth_format(), colors);
+    restore_outside(tile, target, draw.limits);
     if constexpr (HasFragment<S>) {
         resolve_depth(tile, target, draw.state.depth_write, colors && output_count<S> - 4 >= target.extra_channels());
         thread_local std::vector<ShadingPlanes<S>> planes;
@@ -120,10 +126,11 @@ DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template
     Scratch& scratch = target.scratch();
     const ViewportTransform transform(viewport);
     const VertexBuffer<S> shaded =
-        shade_vertices(shader, mesh.vertices.subspan(low, high - low + 1), transform, scratch);
+        shade_vertices(shader, mesh.vertices.subspan(low, high - low + 1), transform, state.clip_planes, scratch);
     const int tiles_x = (target.width() + tile_size - 1) / tile_size, tiles_y = (target.height() + tile_size - 1) / tile_size;
     const DrawContext context{mesh.indices, state,   transform, target.width(), target.height(),
-                              tiles_x,      tiles_y, low,       shaded.window,  shaded.outcodes};
+                              tiles_x,      tiles_y, low,       shaded.window,  shaded.outcodes,
+                              drawable_pixels(state, target.width(), target.height()), target.depth_format()};
 
     constexpr std::size_t batch = chunk_triangles * batch_chunks;
     for (std::size_t first = 0; first < triangles; first += batch) {

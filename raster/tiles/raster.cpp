@@ -2,6 +2,7 @@
 #include <raster/tiles/raster.h>
 
 #include <raster/tiles/blend.h>
+#include <raster/tiles/scissor.h>
 
 namespace raster::tiles {
 
@@ -34,8 +35,8 @@ class BlendSink : public SlotMaker {
 public:
     static constexpr bool remembers = false;
 
-    BlendSink(TileBuffer& tile, const Target& target, TriangleShader& shader)
-        : SlotMaker(tile), target_(target), shader_(shader) {}
+    BlendSink(TileBuffer& tile, const PixelBox& limits, TriangleShader& shader)
+        : SlotMaker(tile), limits_(limits), shader_(shader) {}
 
     void cell(int i, MaskN passed) {
         const std::uint32_t bits = bitmask(passed);
@@ -54,7 +55,7 @@ public:
         shader_.begin(current());
         for (; touched_; touched_ &= touched_ - 1) {
             const int b = std::countr_zero(touched_), x = tile_.x + block_x(b), y = tile_.y + block_y(b);
-            shader_.shade(x, y, pixels_[b] & pixels_in_target(target_, x, y));
+            shader_.shade(x, y, pixels_[b] & pixels_in(limits_, x, y));
             pixels_[b] = 0;
         }
     }
@@ -67,7 +68,7 @@ private:
         pixels_[b] |= std::uint64_t(bits) << (y % block_size * block_size + x % block_size);
     }
 
-    const Target& target_;
+    const PixelBox& limits_;
     TriangleShader& shader_;
     std::uint64_t touched_ = 0;  ///< one bit a block
     std::uint64_t pixels_[block_count] = {};
@@ -104,7 +105,7 @@ void raster_opaque(const DrawContext& draw, std::span<const ChunkBins> chunks, s
 RASTER_FLATTEN void raster_blended(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
                                    TileBuffer& tile, Target& target, TriangleShader& shader) {
     const AnyDepth depth{draw.state.depth_compare, draw.state.depth_write, target.depth_format()};
-    BlendSink sink(tile, target, shader);
+    BlendSink sink(tile, draw.limits, shader);
     raster_tile(draw, chunks, tile_index, tile, depth, sink);
 }
 

@@ -28,7 +28,7 @@ class SlotMaker {
 public:
     explicit SlotMaker(TileBuffer& tile) : tile_(tile) {}
 
-    void begin(const Plane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
+    void begin(const DepthPlane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
         current_ = {depth, chunk, entry, front_facing};
         slot_ = 0;
     }
@@ -110,7 +110,7 @@ private:
     static MaskN inside(IntN e0, IntN e1, IntN e2) { return (e0 | e1 | e2) >= IntN(0); }
 
     static FloatN depth_at(const TileTriangle& t, FloatN px, FloatN py) {
-        return value_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, px, py);
+        return value_at(DepthPlane<FloatN>{{t.depth.origin, t.depth.dadx, t.depth.dady}, t.depth.offset}, px, py);
     }
 
     /// Small triangles: every cell of the box.

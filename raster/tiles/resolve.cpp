@@ -10,7 +10,7 @@ void write_block_depth(const TileBuffer& tile, int block, Target& target) {
     const int x = tile.x + block_x(block), y = tile.y + block_y(block);
     const int columns = std::min(block_size, target.width() - x), rows = std::min(block_size, target.height() - y);
     const bool uniform = tile.uniform >> block & 1;
-    const Plane<float> plane = uniform ? tile.slots[std::size_t(tile.block_slot[block])].depth : Plane<float>{};
+    const DepthPlane<float> plane = uniform ? tile.slots[std::size_t(tile.block_slot[block])].depth : DepthPlane<float>{};
     const DepthFormat format = target.depth_format();
     for (int row = 0; row < rows; ++row) {
         std::int32_t line[block_size];

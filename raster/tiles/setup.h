@@ -18,7 +18,7 @@ struct TileEdge {
 /// A triangle as seen from one tile.
 struct TileTriangle {
     std::array<TileEdge, 3> edges;
-    Plane<float> depth;
+    DepthPlane<float> depth;
     DepthRange range;    ///< of the depths in its box, cells that it touches included
     int x0, y0, x1, y1;  ///< its pixels in the tile, ends included; none when x0 > x1
     std::uint32_t entry;
@@ -63,7 +63,7 @@ struct PackSetup {
     IntN x0, y0, x1, y1;
     std::array<Edge<FloatN>, 3> edges;
     std::array<IntN, 3> origins;  ///< pixel_origin of the edges
-    Plane<FloatN> depth;
+    DepthPlane<FloatN> depth;
     IntN range_min, range_max;
     IntN covered;                   ///< bit 0: pixel (x0, y0), bit 1: one to the right, bits 2 and 3: the row below
     std::array<IntN, 4> dot_depth;  ///< encoded, of those pixels
@@ -72,7 +72,7 @@ struct PackSetup {
         TileTriangle t;
         for (std::size_t i = 0; i < 3; ++i)
             t.edges[i] = {origins[i].v[lane], edges[i].step_x.v[lane], edges[i].step_y.v[lane]};
-        t.depth = {depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]};
+        t.depth = {{depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]}, depth.offset.v[lane]};
         t.range = {range_min.v[lane], range_max.v[lane]};
         t.x0 = x0.v[lane], t.y0 = y0.v[lane], t.x1 = x1.v[lane], t.y1 = y1.v[lane];
         t.front_facing = front_facing >> lane & 1;
@@ -99,7 +99,8 @@ inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& pl
         r.edges[i] = make_edge(s[i], s[(i + 1) % 3], state.fill_rule);
         r.origins[i] = pixel_origin(r.edges[i]);
     }
-    r.depth = make_plane(make_plane_basis(v[0], v[1], v[2]), v[0].z, v[1].z, v[2].z);
+    r.depth = {make_plane(make_plane_basis(v[0], v[1], v[2]), v[0].z, v[1].z, v[2].z), FloatN(0)};
+    if (state.depth_offset.is_on()) r.depth.offset = depth_offset(state.depth_offset, format, v[0], v[1], v[2]);
     r.x0 = max(box.first_x(), IntN(0)), r.y0 = max(box.first_y(), IntN(0));
     r.x1 = min(box.last_x(), IntN(std::min(tile_size, width - tile_x) - 1));
     r.y1 = min(box.last_y(), IntN(std::min(tile_size, height - tile_y) - 1));

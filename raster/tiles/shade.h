@@ -26,7 +26,7 @@ struct ShadingContext {
 template <Shader S>
 struct ShadingPlanes {
     VaryingPlanes<S, float> varyings;
-    Plane<float> depth;
+    DepthPlane<float> depth;
     std::int32_t triangle;
     bool front_facing;
 };
@@ -64,7 +64,7 @@ inline OutputArray<S, F> shade_pixels(const S& shader, const ShadingPlanes<S>& p
     planes.oow = widen(p.varyings.oow);
     for (std::size_t i = 0; i < std::size_t(varying_count<S>); ++i) planes.planes[i] = widen(p.varyings.planes[i]);
     const FragmentInput<F> at{{px + F(0.5f), py + F(0.5f)},
-                              value_at(widen(p.depth), px, py),
+                              value_at(widen(p.depth), px, py) + F(p.depth.offset),
                               value_at(planes.oow, px, py),
                               Mask<F>(p.front_facing),
                               Int<F>(p.triangle)};

@@ -62,8 +62,8 @@ inline int block_y(int block) { return block / blocks_per_row * block_size; }
 inline int first_pixel_of_block(int block) { return block_y(block) * tile_size + block_x(block); }
 
 /// The encoded depths of lanes<FloatN> pixels in a row that begins at absolute pixel (x, y).
-inline IntN depth_row(DepthFormat format, const Plane<float>& plane, int x, int y) {
-    const Plane<FloatN> p{plane.origin, plane.dadx, plane.dady};
+inline IntN depth_row(DepthFormat format, const DepthPlane<float>& plane, int x, int y) {
+    const DepthPlane<FloatN> p{{plane.origin, plane.dadx, plane.dady}, plane.offset};
     return encode_depth(format, value_at(p, to_float(IntN(x) + lane_index<FloatN>()), FloatN(float(y))));
 }
 

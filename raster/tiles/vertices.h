@@ -12,6 +12,8 @@ namespace raster::tiles {
 
 /// The bit beside the six of an outcode that marks a position with a NaN or an infinity.
 inline constexpr std::uint8_t not_finite_bit = 1 << clip_plane_count;
+/// And the one that marks a position outside of any plane of the user's.
+inline constexpr std::uint8_t user_plane_bit = not_finite_bit << 1;
 
 /// The shaded vertices of a draw. A vertex that is outside any plane has a NaN
 /// as window x: its triangles take the slow way through the clip stage, and all others need not look at outcodes.
@@ -42,9 +44,12 @@ inline typename S::template Vertex<F> load_vertices(std::span<const typename S::
 /// Shades and projects one pack of vertices into the buffer.
 template <Shader S, class F>
 RASTER_FLATTEN inline void shade_pack(const S& shader, std::span<const typename S::template Vertex<float>> vertices,
-                       const ViewportTransform& viewport, VertexBuffer<S>& out, std::size_t start) {
+                       const ViewportTransform& viewport, UserPlanes user, VertexBuffer<S>& out, std::size_t start) {
     const auto shaded = shade_vertex<S, F>(shader, load_vertices<S, F>(vertices, start));
-    const Int<F> code = select(is_finite(shaded.clip), outcode(shaded.clip), Int<F>(not_finite_bit));
+    Int<F> inside_code = outcode(shaded.clip);
+    if (!user.empty())
+        inside_code = inside_code | select(user_outcode(user, shaded.clip) == Int<F>(0), Int<F>(0), Int<F>(user_plane_bit));
+    const Int<F> code = select(is_finite(shaded.clip), inside_code, Int<F>(not_finite_bit));
     WindowVertex<F> window = project(shaded.clip, viewport);
     window.x = select(code == Int<F>(0), window.x, F(std::numeric_limits<float>::quiet_NaN()));
     const int count = int(std::min(std::size_t(lanes<F>), vertices.size() - start));
@@ -60,7 +65,7 @@ RASTER_FLATTEN inline void shade_pack(const S& shader, std::span<const typename 
 /// Shades all of `vertices`.
 template <Shader S>
 inline VertexBuffer<S> shade_vertices(const S& shader, std::span<const typename S::template Vertex<float>> vertices,
-                                      const ViewportTransform& viewport, Scratch& scratch) {
+                                      const ViewportTransform& viewport, UserPlanes user, Scratch& scratch) {
     VertexBuffer<S> out{scratch.window.get<WindowVertex<float>>(vertices.size()),
                         scratch.outcodes.get<std::uint8_t>(vertices.size()),
                         scratch.varyings.get<VaryingArray<S>>(vertices.size())};
@@ -68,7 +73,7 @@ inline VertexBuffer<S> shade_vertices(const S& shader, std::span<const typename 
     parallel_for((vertices.size() + chunk - 1) / chunk, [&](std::size_t c) {
         const std::size_t end = std::min((c + 1) * chunk, vertices.size());
         for (std::size_t i = c * chunk; i < end; i += std::size_t(lanes<FloatN>))
-            shade_pack<S, FloatN>(shader, vertices, viewport, out, i);
+            shade_pack<S, FloatN>(shader, vertices, viewport, user, out, i);
     });
     return out;
 }

@@ -157,7 +157,7 @@ void write_rows(JsonWriter& json, const glm::mat4& m) {
 
 const char* word_for(ClipPlane plane) {
     constexpr const char* words[] = {"right", "left", "top", "bottom", "near", "far"};
-    return words[int(plane)];
+    return int(plane) < clip_plane_count ? words[int(plane)] : "user";
 }
 const char* word_for(ClipEvent::Verdict verdict) {
     constexpr const char* words[] = {"inside", "not_finite", "outside", "clipped"};

@@ -30,7 +30,7 @@ std::string name_of(const HistoryEntry& e) { return "triangle " + std::to_string
 
 const char* plane_name(ClipPlane plane) {
     constexpr const char* names[] = {"right", "left", "top", "bottom", "near", "far"};
-    return names[int(plane)];
+    return int(plane) < clip_plane_count ? names[int(plane)] : "user's";
 }
 
 const char* symbol(Compare compare) {

@@ -262,6 +262,82 @@ Scene clear_scene(std::uint64_t seed) {
     return scene;
 }
 
+/// Lines or points of one kind, with their widths and sizes, in small targets now and then.
+template <Topology first, Topology last>
+Scene stroke_scene(std::uint64_t seed) {
+    Random random(seed);
+    Scene scene = empty_scene(random);
+    if (random.integer(0, 3) == 0) scene.width = random.integer(1, 500), scene.height = random.integer(1, 300);
+    for (int i = 0; i < 3; ++i) {
+        const Style style = random.integer(0, 3) ? Style::smooth : Style::flat;
+        Draw draw = make_draw(random_group(random), random, 10, scene.width, scene.height, style);
+        draw.state.topology = Topology(random.integer(int(first), int(last)));
+        draw.state.line_width = random.integer(1, 5);
+        draw.state.point_size = random.integer(0, 1) ? float(random.integer(1, 7)) : random.uniform(0.5f, 7.4f);
+        draw.state.blend = random_blend(random);
+        Viewport& v = draw.state.viewport;
+        if (random.integer(0, 3) == 0) {
+            v.x = random.integer(0, scene.width / 2), v.y = random.integer(0, scene.height / 2);
+            v.width = random.integer(1, scene.width), v.height = random.integer(1, scene.height);
+        }
+        scene.draws.push_back(draw);
+    }
+    return scene;
+}
+
+/// Rectangles inside, across and beyond the target, with everything that can be drawn.
+Scene scissor_scene(std::uint64_t seed) {
+    Random random(seed);
+    Scene scene = empty_scene(random);
+    for (int i = 0; i < 5; ++i) {
+        Draw draw = make_draw(random_group(random), random, 10, scene.width, scene.height);
+        Scissor s;
+        s.x = random.integer(-20, scene.width), s.y = random.integer(-20, scene.height);
+        s.width = random.integer(0, scene.width), s.height = random.integer(0, scene.height);
+        draw.state.scissor = s;
+        draw.state.blend = random_blend(random);
+        if (i == 4) draw.state.topology = Topology(random.integer(int(Topology::points), int(Topology::line_loop)));
+        draw.state.line_width = random.integer(1, 5);
+        scene.draws.push_back(draw);
+    }
+    return scene;
+}
+
+/// Triangles on one another with their depths moved by slope and by steps.
+Scene depth_offset_scene(std::uint64_t seed) {
+    Random random(seed);
+    Scene scene = empty_scene(random);
+    for (int i = 0; i < 4; ++i) {
+        Draw draw = make_draw(random_group(random), random, 12, scene.width, scene.height);
+        if (random.integer(0, 3)) draw.state.depth_offset.factor = random.uniform(-4, 4);
+        if (random.integer(0, 3)) draw.state.depth_offset.units = random.uniform(-2000, 2000);
+        draw.state.blend = random_blend(random);
+        scene.draws.push_back(draw);
+        draw.state.depth_offset.units = float(random.integer(-2, 2));
+        draw.state.depth_compare = Compare(random.integer(1, 6));
+        scene.draws.push_back(draw);
+    }
+    return scene;
+}
+
+/// One to eight planes of the user's through triangles, lines and points.
+Scene clip_plane_scene(std::uint64_t seed) {
+    Random random(seed);
+    Scene scene = empty_scene(random);
+    for (int i = 0; i < 4; ++i) {
+        const Style style = random.integer(0, 3) ? Style::smooth : Style::flat;
+        Draw draw = make_draw(random_group(random), random, 10, scene.width, scene.height, style);
+        draw.clip_planes.resize(std::size_t(random.integer(1, random.integer(0, 1) ? 2 : 8)));
+        for (glm::vec4& plane : draw.clip_planes)
+            for (int c = 0; c < 4; ++c) plane[c] = random.uniform(c == 3 ? -0.1f : -1.0f, 1.0f);
+        if (i == 3) draw.state.topology = Topology(random.integer(int(Topology::points), int(Topology::line_loop)));
+        draw.state.line_width = random.integer(1, 5);
+        draw.state.blend = random_blend(random);
+        scene.draws.push_back(draw);
+    }
+    return scene;
+}
+
 /// All of the state at once.
 Scene mixed_scene(std::uint64_t seed) {
     Random random(seed);
@@ -323,6 +399,12 @@ const std::vector<Kind>& exact_kinds() {
         {"odd_sizes", odd_size_scene},
         {"clear", clear_scene},
         {"mixed", mixed_scene},
+        {"lines", stroke_scene<Topology::lines, Topology::lines>},
+        {"line_strips_and_loops", stroke_scene<Topology::line_strip, Topology::line_loop>},
+        {"points", stroke_scene<Topology::points, Topology::points>},
+        {"scissor", scissor_scene},
+        {"depth_offset", depth_offset_scene},
+        {"clip_planes", clip_plane_scene},
     };
     return kinds;
 }

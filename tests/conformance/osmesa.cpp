@@ -36,6 +36,10 @@ GLenum gl_topology(Topology topology) {
     switch (topology) {
         case Topology::triangle_strip: return GL_TRIANGLE_STRIP;
         case Topology::triangle_fan: return GL_TRIANGLE_FAN;
+        case Topology::points: return GL_POINTS;
+        case Topology::lines: return GL_LINES;
+        case Topology::line_strip: return GL_LINE_STRIP;
+        case Topology::line_loop: return GL_LINE_LOOP;
         case Topology::triangles: break;
     }
     return GL_TRIANGLES;
@@ -140,6 +144,19 @@ void Oracle::apply(const State& state, int width, int height) {
     glDepthMask(state.depth_write);
     const GLboolean color = state.color_write;
     glColorMask(color, color, color, color);
+    enable(GL_SCISSOR_TEST, state.scissor.has_value());
+    if (const auto& s = state.scissor) glScissor(s->x, height - (s->y + s->height), s->width, s->height);
+    enable(GL_POLYGON_OFFSET_FILL, state.depth_offset.is_on());
+    glPolygonOffset(state.depth_offset.factor, state.depth_offset.units);
+    glLineWidth(float(state.line_width));
+    glPointSize(state.point_size);
+    for (std::size_t i = 0; i < std::size_t(max_user_planes); ++i) {
+        const GLenum plane = GL_CLIP_PLANE0 + GLenum(i);
+        enable(plane, i < state.clip_planes.size());
+        if (i >= state.clip_planes.size()) continue;
+        const glm::dvec4 coefficients(state.clip_planes[i]);
+        glClipPlane(plane, &coefficients.x);
+    }
     enable(GL_BLEND, state.blend != Blend::off);
     if (state.blend == Blend::additive)
         glBlendFunc(GL_ONE, GL_ONE);
@@ -201,7 +218,7 @@ unsigned Oracle::program(const std::string& vertex, const std::string& fragment)
 }
 
 void Oracle::draw(const Draw& draw, int width, int height) {
-    apply(draw.state, width, height);
+    apply(draw.full_state(), width, height);
     constexpr GLsizei stride = sizeof(Vertex);
     const Vertex* first = draw.vertices.data();
     if (draw.style == Style::fixed_function) {

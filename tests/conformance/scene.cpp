@@ -91,9 +91,9 @@ void draw_with(const S& shader, Target& target, const Draw& d, Path path) {
     for (const Vertex& v : d.vertices) vertices.push_back({v.position, v.color, v.uv});
     const Mesh<V> mesh{vertices, d.indices};
     if (path == Path::fast) {
-        draw(target, shader, mesh, d.state);
+        draw(target, shader, mesh, d.full_state());
     } else {
-        draw(target, shader, mesh, d.state, NoObserver{});
+        draw(target, shader, mesh, d.full_state(), NoObserver{});
     }
 }
 

@@ -38,8 +38,15 @@ struct Draw {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     State state;
+    std::vector<glm::vec4> clip_planes = {};  ///< the state's, which only refers to them
     Style style = Style::smooth;
     Texture texture;
+
+    State full_state() const {
+        State full = state;
+        full.clip_planes = clip_planes;
+        return full;
+    }
 };
 
 struct Scene {

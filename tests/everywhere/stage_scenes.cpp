@@ -170,7 +170,26 @@ std::vector<Scene> stage_scenes() {
                           random.integer(1, 200),  random.uniform(0, 1),    random.uniform(0, 1)};
     }));
     all.push_back(state_scene("color_write_off", [](State& state, int i, Random&) { state.color_write = i % 2; }));
-    const auto mixed = [](Random& random, State& state, int) {
+    const char* const topologies[] = {"points", "lines", "line_strip", "line_loop"};
+    for (int t = 0; t < 4; ++t)
+        all.push_back(state_scene(topologies[t], [=](State& state, int i, Random& random) {
+            state.topology = Topology(int(Topology::points) + t);
+            state.line_width = i + 1;
+            state.point_size = random.uniform(1, 7);
+            state.blend = Blend::source_over;
+        }));
+    all.push_back(state_scene("scissor", [](State& state, int i, Random&) {
+        state.scissor = Scissor{20 * i, 50 - 20 * i, 70, 66};
+        state.blend = Blend(i % 3);
+    }));
+    all.push_back(state_scene("depth_offset", [](State& state, int i, Random&) {
+        state.depth_offset = {0.5f * float(i - 1), 100.0f * float(i)};
+    }));
+    all.push_back(state_scene("clip_planes", [](State& state, int, Random&) {
+        static constexpr glm::vec4 planes[] = {{1, 0.5f, 0, 0.2f}, {-0.3f, 1, 0.1f, 0.7f}};
+        state.clip_planes = planes;
+    }));
+    const auto mixed = [Random& random, State& state, int) {
         state = testing::random_state(random);
         return testing::mixed_scene(random, 20, width, height, true);
     };
