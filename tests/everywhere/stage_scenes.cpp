@@ -189,7 +189,7 @@ std::vector<Scene> stage_scenes() {
         static constexpr glm::vec4 planes[] = {{1, 0.5f, 0, 0.2f}, {-0.3f, 1, 0.1f, 0.7f}};
         state.clip_planes = planes;
     }));
-    const auto mixed = [Random& random, State& state, int) {
+    const auto mixed = [](Random& random, State& state, int) {
         state = testing::random_state(random);
         return testing::mixed_scene(random, 20, width, height, true);
     };
