@@ -17,6 +17,13 @@
 #define RASTER_FLATTEN
 #endif
 
+/// On a function that is called as one, in which all that it calls is inlined.
+#if defined(__GNUC__)
+#define RASTER_ONE_CALL [[gnu::noinline, gnu::flatten]]
+#else
+#define RASTER_ONE_CALL
+#endif
+
 namespace raster {
 
 /// Lanes of a pack: how many floats the target's registers hold. It changes speed, never a bit of a picture.

@@ -29,7 +29,7 @@ Loaded with_mtl(const std::string& mtl, const ObjOptions& options = {}) {
 TEST(Mtl, EveryKeyThatIsUsed) {
     const Loaded l = with_mtl(
         "newmtl a\nKa 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs 0.7 0.8 0.9\nKe 1 2 3\nNs 99.5\nNi 1.45\nd 0.25\nillum 3\n"
-        "Pr 0.5\nPm 1\nPs 0.125\n");
+        "Pr 0.5\nPm 1\nPs 0.125\nPc 0.25\nPcr 0.75\naniso 0.5\nanisor 0.0625\n");
     ASSERT_TRUE(l.ok()) << l.error();
     EXPECT_THAT(l.warnings(), IsEmpty());
     ASSERT_EQ(l.model->materials.size(), 1u);
@@ -46,6 +46,11 @@ TEST(Mtl, EveryKeyThatIsUsed) {
     EXPECT_EQ(m.roughness, 0.5f);
     EXPECT_EQ(m.metallic, 1.0f);
     EXPECT_EQ(m.sheen, 0.125f);
+    EXPECT_EQ(m.clearcoat, 0.25f);
+    EXPECT_EQ(m.clearcoat_roughness, 0.75f);
+    EXPECT_EQ(m.anisotropy, 0.5f);
+    EXPECT_EQ(m.anisotropy_rotation, 0.0625f);
+    EXPECT_TRUE(m.physically_based);
     EXPECT_EQ(l.model->parts[0].material, 0);
 }
 
@@ -55,6 +60,7 @@ TEST(Mtl, WhatIsNotGivenHasTheDefault) {
     EXPECT_EQ(m.shininess, d.shininess);
     EXPECT_EQ(m.alpha, 1.0f);
     EXPECT_EQ(m.diffuse_texture, -1);
+    EXPECT_FALSE(m.physically_based);
 }
 
 TEST(Mtl, OneNumberIsAGreyAndValuesStayInTheirRanges) {

@@ -23,6 +23,7 @@ void for_every_model(const Check& check) {
         for (const float shininess : {0.0f, 1.0f, 5.0f, 32.0f, 200.0f, 1000.0f}) {
             Material material;
             material.shininess = shininess;
+            material.roughness = shininess / 1000.0f;
             SCOPED_TRACE(std::string(name) + " with Ns " + std::to_string(shininess));
             std::visit([&](const auto& model) { check(model.with_material(material)); }, *find_reflectance(name));
         }

@@ -77,7 +77,7 @@ TEST(FlatShader, GivesATriangleOneColourLitAtItsCentroidWithItsOwnNormal) {
     const auto target = draw_scene(FlatShader<Detail::plain>{scene.u, faces}, {vertices});
     const glm::vec3 a = slanted[0].position, b = slanted[1].position, c = slanted[2].position;
     const glm::vec3 n = glm::normalize(glm::cross(b - a, c - a)), p = (a + b + c) / 3.0f;
-    const Lit<float> lit = illuminate(model, scene.u.lights, frame_at<RuntimeModel>(scene.u, n, p), p);
+    const Lit<float> lit = illuminate(model, scene.u.lights, frame_at(scene.u, model, n, p), p);
     const glm::vec4 expected = plain_sum(plain_colors(scene.u.material), scene.u.ambient, lit);
     EXPECT_GT(expected.x, 0.3f);
     const glm::vec4 first = target.color(32, 36);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <raster/scene/transform.h>
+#include <raster/shading/materials.h>
 
 namespace raster {
 namespace {
@@ -50,10 +51,12 @@ TextureView DrawPlan::view(int texture, const Material& material, bool color) co
                        options_.filter, color && options_.decode_srgb ? srgb_decode_table() : nullptr);
 }
 
-DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& m) const {
+DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& material) const {
+    const Material m = physically_based(material);
+    const bool is_metal = m.extinction != glm::vec3(0.0f);
     SurfaceMaterial s;
-    s.ambient_is_diffuse = options_.ambient_color == AmbientColor::diffuse;
-    s.ambient = s.ambient_is_diffuse ? glm::vec3(1.0f) : m.ambient;
+    s.ambient_is_diffuse = options_.ambient_color == AmbientColor::diffuse && !is_metal;
+    s.ambient = s.ambient_is_diffuse ? glm::vec3(1.0f) : is_metal ? m.diffuse + metal_ambient(m) : m.ambient;
     s.diffuse = m.diffuse;
     s.specular = m.specular;
     s.emission = m.emission;
@@ -78,6 +81,9 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& m) const {
     const std::optional<AnyReflectance> own = find_reflectance(m.reflectance);
     AnyReflectance reflectance = own.value_or(options_.reflectance);
     if (own || options_.reflectance_from_material) reflectance = RuntimeModel{reflectance}.with_material(m).model;
+    // A metal's colour comes of Fresnel's equations; a model that knows none gets the colour itself.
+    const auto has_fresnel = []<class M>(const M&) { return requires(const M model) { model.fresnel; }; };
+    if (is_metal && !std::visit(has_fresnel, reflectance)) s.specular = metal_ambient(m);
     return {s, reflectance, s.alpha < 1.0f || s.alpha_texture};
 }
 

@@ -86,17 +86,21 @@ void with_gouraud_shader(const PlannedDraw& d, const Visit& visit) {
 }
 template <class Visit>
 void with_pixel_shader(const PlannedDraw& d, const Visit& visit) {
+    const RuntimeModel any{d.reflectance};
     if (d.level == Detail::terms)
-        return visit(PixelShader<RuntimeModel, Detail::terms>{d.uniforms, {d.reflectance}}, d.mesh, d.state);
-    std::visit(
-        [&]<class M>(const M& model) {
-            if (d.level == Detail::plain) {
-                visit(PixelShader<M, Detail::plain>{d.uniforms, model}, d.mesh, d.state);
-            } else {
-                visit(PixelShader<M, Detail::mapped>{d.uniforms, model}, d.mesh, d.state);
-            }
-        },
-        d.reflectance);
+        return visit(PixelShader<RuntimeModel, Detail::terms>{d.uniforms, any}, d.mesh, d.state);
+    const auto with_model = [&]<class M>(const M& model) {
+        if (d.level == Detail::plain) {
+            visit(PixelShader<M, Detail::plain>{d.uniforms, model}, d.mesh, d.state);
+        } else {
+            visit(PixelShader<M, Detail::mapped>{d.uniforms, model}, d.mesh, d.state);
+        }
+    };
+    const auto with_own_shader = [&]<class M>(const M& model) {
+        if constexpr (is_specialised<M>()) with_model(model);
+        return is_specialised<M>();
+    };
+    if (!std::visit(with_own_shader, d.reflectance)) with_model(any);
 }
 /// The same for draws that need not be fast: one shader for all reflectance models, which gives the same bits.
 template <class Visit>

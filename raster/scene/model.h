@@ -40,6 +40,15 @@ struct Material {
     float roughness = 0;            ///< Pr
     float metallic = 0;             ///< Pm
     float sheen = 0;                ///< Ps
+    float clearcoat = 0;            ///< Pc
+    float clearcoat_roughness = 0;  ///< Pcr
+    float anisotropy = 0;           ///< aniso: 0 is a round highlight, 1 a long one
+    float anisotropy_rotation = 0;  ///< anisor: of the grain, 0 to 1 is a whole turn
+    bool physically_based = false;  ///< one of Pr ... anisor is given
+    glm::vec3 refractive_index{0};  ///< n for each channel; 0: Ni for all, or the model's own
+    glm::vec3 extinction{0};        ///< k for each channel, with n: above 0 for metals
+    glm::vec3 scattering{0};        ///< below the surface, reduced, 1/mm; 0: the model's own
+    glm::vec3 absorption{0};        ///< below the surface, 1/mm
     int ambient_texture = -1;       ///< map_Ka: index into Model::textures
     int diffuse_texture = -1;       ///< map_Kd
     int specular_texture = -1;      ///< map_Ks

@@ -35,6 +35,10 @@ constexpr NumberKey number_keys[] = {
     {"Pr", &Material::roughness, 0, 1},
     {"Pm", &Material::metallic, 0, 1},
     {"Ps", &Material::sheen, 0, 1},
+    {"Pc", &Material::clearcoat, 0, 1},
+    {"Pcr", &Material::clearcoat_roughness, 0, 1},
+    {"aniso", &Material::anisotropy, 0, 1},
+    {"anisor", &Material::anisotropy_rotation, 0, 1},
 };
 
 struct TextureKey {
@@ -47,8 +51,7 @@ constexpr TextureKey texture_keys[] = {{"map_Ka", &Material::ambient_texture},
                                        {"map_Ke", &Material::emission_texture},
                                        {"map_d", &Material::alpha_texture}};
 
-constexpr std::string_view unused_keys[] = {"Tf",        "Kt",       "Pc",       "Pcr",      "aniso", "anisor",
-                                            "sharpness", "map_Ns",   "map_bump", "map_Bump", "bump",  "map_Pr",
+constexpr std::string_view unused_keys[] = {"Tf",        "Kt",       "sharpness", "map_Ns",   "map_bump", "map_Bump", "bump",  "map_Pr",
                                             "map_disp",  "map_Disp", "disp",     "map_refl", "refl",  "map_Pm",
                                             "map_Ps",    "norm",     "map_aat",  "map_Tr",   "decal", "map_decal"};
 
@@ -119,6 +122,7 @@ public:
             read_color(without_comment(text), key, material.*row->value);
         } else if (const auto* row = find_key(number_keys, key)) {
             has_d_ |= key == "d";
+            material.physically_based |= key.starts_with('P') || key.starts_with("aniso");
             read_number(without_comment(text), key, *row);
         } else if (key == "Tr") {
             // The opposite of d. Where both stand, d counts.

@@ -17,6 +17,7 @@ struct BlinnPhong {
         quarter_alpha,  ///< (n h)^(alpha / 4), as some courses do
     };
     static constexpr std::string_view name = "blinn-phong";
+    static constexpr bool specialised = true;
 
     float exponent = 32.0f;  ///< shininess alpha, 0 and up
     Exponent convention = Exponent::alpha;

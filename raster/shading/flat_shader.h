@@ -38,7 +38,7 @@ inline LitFace<F> light_face(const ShadingUniforms& u, const RuntimeModel& model
     vec<3, F> outward = normalize_or_zero(glm::cross(normalize_or_zero(b - a), normalize_or_zero(c - a)));
     const Mask<F> away = glm::dot(outward, to_viewer(u, centroid)) < F(0);
     vec<3, F> n = u.two_sided ? negate_where<F>(away, outward) : outward;
-    return {illuminate(model, u.lights, frame_at<RuntimeModel>(u, n, centroid), centroid), n};
+    return {illuminate(model, u.lights, frame_at(u, model, n, centroid), centroid), n};
 }
 
 /// Lights all triangles of a mesh, in their order. An index beyond the vertices gives a face without light.

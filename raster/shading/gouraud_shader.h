@@ -40,13 +40,13 @@ struct GouraudShader {
     VertexOut<F, Varyings> vertex(const SurfaceVertex<F>& v) const {
         vec<3, F> n = eye_normal(u, v.normal);
         vec<3, F> position_eye = eye_position(u, v.position);
-        Lit<F> lit = illuminate(model, u.lights, frame_at<RuntimeModel>(u, n, position_eye), position_eye);
+        Lit<F> lit = illuminate(model, u.lights, frame_at(u, model, n, position_eye), position_eye);
         VertexOut<F, Varyings> out;
         out.clip = transform_point(u.clip_from_object, v.position);
         if constexpr (level == Detail::plain) {
             out.varyings.color = vec<3, F>(plain_sum(plain_colors(u.material), u.ambient, lit));
         } else {
-            Frame<F> behind = frame_at<RuntimeModel>(u, -n, position_eye);
+            Frame<F> behind = frame_at(u, model, -n, position_eye);
             Lit<F> back = u.two_sided ? illuminate(model, u.lights, behind, position_eye) : lit;
             out.varyings = {lit, back, v.uv, v.color, n};
         }

@@ -8,6 +8,7 @@ namespace raster {
 /// Diffuse n l, nothing specular. It has no parameter.
 struct Lambert {
     static constexpr std::string_view name = "lambert";
+    static constexpr bool specialised = true;
 
     Lambert with_material(const Material&) const { return *this; }
 

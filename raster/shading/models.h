@@ -8,8 +8,15 @@
 #include <variant>
 
 #include <raster/shading/blinn_phong.h>
+#include <raster/shading/cook_torrance.h>
+#include <raster/shading/he_torrance.h>
 #include <raster/shading/lambert.h>
+#include <raster/shading/oren_nayar.h>
 #include <raster/shading/phong.h>
+#include <raster/shading/subsurface.h>
+#include <raster/shading/torrance_sparrow.h>
+#include <raster/shading/velvet.h>
+#include <raster/shading/ward.h>
 
 namespace raster {
 
@@ -17,24 +24,37 @@ namespace raster {
 using AnyReflectance = std::variant<  //
     Lambert,                          //
     Phong,                            //
-    BlinnPhong>;
+    BlinnPhong,                       //
+    TorranceSparrow,                  //
+    CookTorrance,                     //
+    OrenNayar,                        //
+    HeTorrance,                       //
+    Ward,                             //
+    Velvet,                           //
+    Subsurface>;
 
-/// A reflectance model that is chosen while running: one jump an evaluation instead of a specialised shader. It serves
-/// where shading is rare (vertices, faces); shaders of pixels are instantiated for each model.
+/// A reflectance model that is chosen while running: a call an evaluation instead of a specialised shader. It serves
+/// where shading is rare (vertices, faces) and where a model is so much work that the call does not count; compiled in
+/// models.cpp. Only models that say `specialised` get pixel shaders of their own.
 struct RuntimeModel {
     static constexpr std::string_view name = "any";
-    static constexpr bool anisotropic = true;
 
     AnyReflectance model;
 
+    bool reads_tangents() const {
+        return std::visit([]<class M>(const M&) { return is_anisotropic<M>(); }, model);
+    }
     RuntimeModel with_material(const Material& material) const {
         return {std::visit([&](const auto& m) { return AnyReflectance(m.with_material(material)); }, model)};
     }
     template <class F>
-    Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
+    RASTER_ONE_CALL Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
         return std::visit([&](const auto& m) { return m.evaluate(frame, l); }, model);
     }
 };
+
+extern template Reflectance<float> RuntimeModel::evaluate(const Frame<float>&, const vec<3, float>&) const;
+extern template Reflectance<FloatN> RuntimeModel::evaluate(const Frame<FloatN>&, const vec<3, FloatN>&) const;
 
 namespace detail {
 template <class Visit, std::size_t... I>

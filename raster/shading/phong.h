@@ -11,6 +11,7 @@ namespace raster {
 /// than it gets at grazing angles, and is not reciprocal.
 struct Phong {
     static constexpr std::string_view name = "phong";
+    static constexpr bool specialised = true;
 
     float exponent = 32.0f;  ///< shininess, 0 and up: 5 is dull, 50 glossy, 200 nearly a mirror
 

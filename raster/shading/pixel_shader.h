@@ -47,7 +47,7 @@ struct PixelShader {
     auto fragment(const Varyings<F>& in, const FragmentInput<F>& at) const {
         vec<3, F> outward = normalize_or_zero(in.normal_eye);
         vec<3, F> n = u.two_sided ? negate_where<F>(!at.front_facing, outward) : outward;
-        Frame<F> frame = frame_at<Model>(u, n, in.position_eye);
+        Frame<F> frame = frame_at(u, model, n, in.position_eye);
         Lit<F> lit = illuminate(model, u.lights, frame, in.position_eye);
         if constexpr (level == Detail::plain) {
             return plain_sum(plain_colors(u.material), u.ambient, lit);

@@ -37,6 +37,8 @@ struct Reflectance {
 ///     struct Lambert {
 ///         static constexpr std::string_view name = "lambert";      // on the command line
 ///         static constexpr bool anisotropic = false;               // optional: whether it reads Frame's t and b
+///         static constexpr bool specialised = true;                // optional: a pixel shader of its own, inlined; for
+///                                                                  // models that cost less than a call
 ///         float exponent = 32;                                     // parameters are members
 ///         Lambert with_material(const Material& material) const;   // a copy with what an MTL file says of them
 ///         template <class F>
@@ -57,6 +59,26 @@ template <class M>
 constexpr bool is_anisotropic() {
     if constexpr (requires { M::anisotropic; }) {
         return M::anisotropic;
+    } else {
+        return false;
+    }
+}
+
+/// The same of a model that knows it while running only.
+template <class M>
+inline bool reads_tangents(const M& model) {
+    if constexpr (requires { model.reads_tangents(); }) {
+        return model.reads_tangents();
+    } else {
+        return is_anisotropic<M>();
+    }
+}
+
+/// Whether a model has pixel shaders of its own.
+template <class M>
+constexpr bool is_specialised() {
+    if constexpr (requires { M::specialised; }) {
+        return M::specialised;
     } else {
         return false;
     }

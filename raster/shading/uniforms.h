@@ -41,9 +41,10 @@ inline vec<3, F> to_viewer(const ShadingUniforms& u, const vec<3, F>& position_e
 
 /// The frame at a point, for a normal of unit length.
 template <class Model, class F>
-inline Frame<F> frame_at(const ShadingUniforms& u, const vec<3, F>& normal_eye, const vec<3, F>& position_eye) {
+inline Frame<F> frame_at(const ShadingUniforms& u, const Model& model, const vec<3, F>& normal_eye,
+                         const vec<3, F>& position_eye) {
     vec<3, F> v = to_viewer(u, position_eye);
-    if constexpr (is_anisotropic<Model>()) return make_frame(normal_eye, v, vec<3, F>(u.grain_eye));
+    if (reads_tangents(model)) return make_frame(normal_eye, v, vec<3, F>(u.grain_eye));
     return {normal_eye, v, vec<3, F>(F(0)), vec<3, F>(F(0))};
 }
 

@@ -93,9 +93,9 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
     std::string names;
     for (const std::string_view name : reflectance_names()) names += (names.empty() ? "" : "|") + std::string(name);
     shading(add_value(app, "--reflectance", names, o.reflectance, parse_reflectance,
-                      "How surfaces reflect light. [blinn-phong]"));
+                      "How surfaces reflect light whose materials do not say it. [blinn-phong]"));
     shading(add_values(app, "--light", "LIGHT", flags.lights, parse_light, light_help));
-    shading(add_values(app, "--material", "CHANGE", flags.materials, parse_material, material_help));
+    shading(add_values(app, "--material", "CHANGE", flags.materials, parse_material, material_help()));
     shading(app.add_flag("--two-sided,!--no-two-sided", o.two_sided,
                          "Light back faces from their own side, or like the front. [--two-sided]"));
     shading(add_choice(app, "--texture-filter", o.filter, filters, "How a texture is read. [bilinear]"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,13 +20,14 @@ extern const char* const light_help;
 
 /// What --material changes; the rest stays as the model's file has it.
 struct MaterialChange {
+    std::optional<Material> substance;  ///< what all is changed to first
     std::optional<std::string> reflectance;
     std::optional<glm::vec3> color, ambient, diffuse, specular, emission;
-    std::optional<float> shininess, alpha, roughness, metallic, sheen;
+    std::optional<float> shininess, alpha, roughness, metallic, anisotropy, index_of_refraction;
 
     void apply_to(Material& material) const;
 };
 Result<MaterialChange> parse_material(std::string_view text);
-extern const char* const material_help;
+std::string material_help();
 
 }  // namespace raster::tool

@@ -91,6 +91,12 @@ test_every_flag_changes_something() {
 --material specular=0
 --material emission=0.3
 --material alpha=0.5
+--material gold
+--material clay:roughness=0.9
+--material satin
+--material reflectance=velvet
+--material metallic=1
+--reflectance he-torrance
 --no-two-sided
 --hidden painter
 --cull back

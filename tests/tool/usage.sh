@@ -116,10 +116,12 @@ test_lights_and_materials_are_checked() {
         expect 2 '^error: --light' render t.obj --light "$light"
     done
     expect 2 "did you mean directional" render t.obj --light directionl
-    for material in gold color shininess=1001 shininess=-1 alpha=2 color=-1 colour=1 '' x=1 =; do
+    for material in gould gold:x=1 reflectance=shiny color shininess=1001 shininess=-1 alpha=2 color=-1 colour=1 '' x=1 =; do
         expect 2 '^error: --material' render t.obj --material "$material"
     done
     expect 2 "did you mean shininess" render t.obj --material shinines=5
+    expect 2 "did you mean gold" render t.obj --material golt
+    expect 2 "did you mean oren-nayar" render t.obj --material reflectance=oren-naya
     expect_files t.obj
 }
 
