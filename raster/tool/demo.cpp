@@ -31,7 +31,8 @@ Result<int> run_demo(DemoArguments& a) {
     if (const Status status = check(a.outputs, {a.view.json}); !status) return status.error();
 
     Model model = teapot();
-    const PictureJob job{model, a.picture.options_for(model), *plan, a.outputs, false, true};
+    const RenderOptions options = a.picture.options_for(model);
+    const PictureJob job{model, options, a.picture.display_for(model, options), *plan, a.outputs, false, true};
     Progress progress(ProgressMode::none);
     Status status = Done{};
     with_threads(a.threads, [&] { status = render_pictures(job, progress); });

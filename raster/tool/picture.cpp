@@ -1,6 +1,8 @@
 // picture.cpp: flags to RenderOptions and ObjOptions.
 #include "picture.h"
 
+#include <algorithm>
+
 #if !defined(RASTER_NO_THREADS)
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -23,6 +25,8 @@ constexpr Choices<Cull, 3> culls = {{{"none", Cull::none}, {"back", Cull::back},
 constexpr Choices<FillRule, 2> fill_rules = {{{"opengl", FillRule::bottom_left}, {"direct3d", FillRule::top_left}}};
 constexpr Choices<Filter, 2> filters = {{{"nearest", Filter::nearest}, {"bilinear", Filter::bilinear}}};
 constexpr Choices<Wrap, 3> wraps = {{{"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}, {"mirror", Wrap::mirror}}};
+constexpr Choices<Encoding, 3> encodings = {
+    {{"auto", Encoding::automatic}, {"srgb", Encoding::srgb}, {"plain", Encoding::plain}}};
 constexpr Choices<int, 1> sample_counts = {{{"1", 1}}};
 
 std::string model_help() {
@@ -103,6 +107,16 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
                        "What lies beyond a texture's edges, where its material asks for no clamping. [repeat]"));
     shading(app.add_flag("--textures,!--no-textures", o.textures, "Use textures, or not. [--textures]"));
 
+    const auto display = [](CLI::Option* option) { option->group("Display"); };
+    display(add_choice(app, "--display", flags.encoding, encodings,
+                       "All light is linear. srgb encodes it for the screen, decodes colour textures, and shows the"
+                       " background as given; plain stores it as it is, clamped at 1, as textbooks do. auto is srgb where"
+                       " a material's reflectance model is physical, and plain where all are lambert, phong or"
+                       " blinn-phong. A .pfm picture is light in any case. [auto]"));
+    const auto stops = [](std::string_view text) { return parse_number_within(text, -30.0f, 30.0f); };
+    display(add_value(app, "--exposure", "STOPS", flags.exposure, stops,
+                      "Doubles the light so many times before it is shown, -30 to 30. [0]"));
+
     const auto visibility = [](CLI::Option* option) { option->group("Visibility"); };
     visibility(add_choice(app, "--hidden", o.visibility, visibilities,
                           "How hidden surfaces are removed: by depth a pixel, or by drawing triangles from back to"
@@ -129,7 +143,17 @@ RenderOptions PictureFlags::options_for(Model& model) const {
         for (Material& material : model.materials) change.apply_to(material);
         change.apply_to(result.default_material);
     }
+    result.decode_srgb = display_for(model, result).srgb;
     return result;
+}
+
+Display PictureFlags::display_for(const Model& model, const RenderOptions& changed) const {
+    const auto is_physical = [&](const Material& material) {
+        return !is_empirical(find_reflectance(material.reflectance).value_or(changed.reflectance));
+    };
+    const bool physical = model.materials.empty() ? is_physical(changed.default_material)
+                                                  : std::ranges::any_of(model.materials, is_physical);
+    return {encoding == Encoding::srgb || (encoding == Encoding::automatic && physical), exposure};
 }
 
 void add_thread_flags(CLI::App& app, ThreadFlags& flags) {

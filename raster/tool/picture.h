@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <raster/scene/display.h>
 #include <raster/scene/obj.h>
 #include <raster/scene/render.h>
 
@@ -32,15 +33,27 @@ struct Loaded {
 /// Loads the model. Warnings go to standard error unless `quiet`, at most a screenful; errors come back.
 Result<Loaded> load(const LoadFlags& flags, Progress& progress, bool quiet);
 
+/// How light becomes bytes.
+enum class Encoding {
+    automatic,  ///< sRGB where a material's reflectance model is physical, else plain
+    srgb,
+    plain,
+};
+
 /// How a model is drawn.
 struct PictureFlags {
     RenderOptions options;
     std::vector<std::vector<Light>> lights;
     std::vector<MaterialChange> materials;
     int samples = 1;
+    Encoding encoding = Encoding::automatic;
+    float exposure = 0.0f;  ///< stops
 
     /// The options for this model, whose materials are changed as the flags ask.
     RenderOptions options_for(Model& model) const;
+
+    /// How the picture of a model is shown, after options_for has changed its materials.
+    Display display_for(const Model& model, const RenderOptions& changed) const;
 };
 void add_picture_flags(CLI::App& app, PictureFlags& flags);
 

@@ -49,7 +49,9 @@ Result<int> run_render(RenderArguments& a) {
     const Status safe = check_no_input(a.outputs.paths(), texture_paths(a.load.model, loaded->model));
     if (!safe) return safe.error();
 
-    PictureJob job{loaded->model, a.picture.options_for(loaded->model), *plan, a.outputs, a.hash, a.quiet};
+    const RenderOptions options = a.picture.options_for(loaded->model);
+    const Display display = a.picture.display_for(loaded->model, options);
+    PictureJob job{loaded->model, options, display, *plan, a.outputs, a.hash, a.quiet};
     job.load_time = load_time;
     job.warnings = loaded->report.warnings.size() + loaded->report.warnings_left_out;
     Status status = Done{};

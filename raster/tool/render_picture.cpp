@@ -2,6 +2,7 @@
 #include "render_picture.h"
 
 #include <cstdio>
+#include <optional>
 
 #include <raster/image/file.h>
 
@@ -89,14 +90,22 @@ private:
         const OutputPlan& outputs = job_.outputs;
         const bool floats = outputs.format == OutputFormat::pfm;
         timer_.lap();
-        Target target(view.size.width, view.size.height, floats ? ColorFormat::rgba_float : ColorFormat::rgba8);
-        counts_ += render(target, job_.model, view.matrices, job_.options);
+        const Display& display = job_.display;
+        const bool as_light = floats || !display.is_plain();
+        Target target(view.size.width, view.size.height, as_light ? ColorFormat::rgba_float : ColorFormat::rgba8);
+        RenderOptions options = job_.options;
+        options.background = light_for(options.background, display);
+        counts_ += render(target, job_.model, view.matrices, options);
+        std::optional<Target> shown;
+        if (floats && display.exposure != 0) expose(target, display.exposure);
+        if (!floats && as_light) shown = displayed(target, display);
+        const Target& picture = shown ? *shown : target;
         render_time_ += timer_.lap();
 
         const std::string path = outputs.picture_path(frame);
         const bool with_alpha = job_.options.background.a < 1.0f;
-        if (const Status status = floats ? write_image(path, float_picture_of(target))
-                                         : write_image(path, picture_of(target, with_alpha));
+        if (const Status status = floats ? write_image(path, float_picture_of(picture))
+                                         : write_image(path, picture_of(picture, with_alpha));
             !status)
             return status;
         if (const Status status = write_planes(frame, view, target); !status) return status;
@@ -107,7 +116,7 @@ private:
         }
         write_time_ += timer_.lap();
         if (!job_.hash) return Done{};
-        const std::string line = content_hash(target) + "  " + path;
+        const std::string line = content_hash(picture) + "  " + path;
         if (is_standard_output(path) || is_standard_output(outputs.camera_json)) {
             say(line);
             return Done{};

@@ -7,6 +7,7 @@
 #include "progress.h"
 #include "view.h"
 
+#include <raster/scene/display.h>
 #include <raster/scene/render.h>
 
 namespace raster::tool {
@@ -29,6 +30,7 @@ private:
 struct PictureJob {
     const Model& model;
     RenderOptions options;
+    Display display;
     const ViewPlan& view;
     const OutputPlan& outputs;
     bool hash;

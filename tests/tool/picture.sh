@@ -171,4 +171,41 @@ test_lit_from_the_front_a_white_wall_is_white() {
     [ "$(ppm_pixel a.ppm 1 1)" = '51 51 51' ] || failed "ambient light gives $(ppm_pixel a.ppm 1 1)"
 }
 
+test_the_display_encodes_light_and_leaves_the_background() {
+    printf 'v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n' >t.obj
+    local grey=(t.obj --size 3x3 --camera-position 0,0,5 --camera-focal-point 0,0,0 --light ambient:color=0.25
+        --material color=1)
+    expect 0 '' render "${grey[@]}" -o a.ppm
+    [ "$(ppm_pixel a.ppm 1 1)" = '64 64 64' ] || failed "plain light is $(ppm_pixel a.ppm 1 1)"
+    expect 0 '' render "${grey[@]}" -o b.ppm --display plain
+    same a.ppm b.ppm
+    expect 0 '' render "${grey[@]}" -o a.ppm --display srgb
+    [ "$(ppm_pixel a.ppm 1 1)" = '137 137 137' ] || failed "encoded light is $(ppm_pixel a.ppm 1 1)"
+    expect 0 '' render "${grey[@]}" -o a.ppm --exposure 1
+    [ "$(ppm_pixel a.ppm 1 1)" = '128 128 128' ] || failed "a stop more is $(ppm_pixel a.ppm 1 1)"
+    expect 0 '' render "${grey[@]}" -o a.ppm --exposure 1 --display srgb
+    [ "$(ppm_pixel a.ppm 1 1)" = '188 188 188' ] || failed "a stop more, encoded, is $(ppm_pixel a.ppm 1 1)"
+    expect 0 '' render "${grey[@]}" -o a.pfm --display srgb --exposure -1
+    [ "$(tail -c 4 a.pfm | od -An -tf4 | tr -d ' ')" = 0.125 ] || failed 'a PFM file does not hold light'
+
+    make_triangle
+    for flags in '--display plain' '--display srgb' '--exposure 3' '--exposure -2 --display srgb'; do
+        # shellcheck disable=SC2086
+        expect 0 '' render t.obj --size 9x9 -o a.ppm --background 0.2 $flags
+        [ "$(ppm_pixel a.ppm 8 0)" = '51 51 51' ] || failed "$flags: the background is $(ppm_pixel a.ppm 8 0)"
+    done
+    expect 2 "'sRGB' is none of auto, srgb, plain" render t.obj --display sRGB
+    expect 2 'STOPS|from -30 to 30' render t.obj --exposure 31
+}
+
+test_textures_are_decoded_for_an_srgb_display_only() {
+    cp "$SOURCE"/models/checker* .
+    expect 0 '' render checker_cube.obj --size 40x30 -o plain.pfm --display plain
+    expect 0 '' render checker_cube.obj --size 40x30 -o srgb.pfm --display srgb
+    differ plain.pfm srgb.pfm
+    expect 0 '' render checker_cube.obj --size 40x30 -o plain.pfm --display plain --no-textures
+    expect 0 '' render checker_cube.obj --size 40x30 -o srgb.pfm --display srgb --no-textures
+    differ plain.pfm srgb.pfm # in the background
+}
+
 run_tests "$@"
