@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 
+#include <raster/image/data_url.h>
 #include <raster/image/diff_picture.h>
 #include <raster/image/diff_steps.h>
 #include <raster/image/png.h>
@@ -41,32 +42,6 @@ std::string shape_in_words(const std::optional<AnyImage>& image) {
     const diff_steps::Shape shape = diff_steps::shape_of(*image);
     constexpr const char* channels[] = {"grey", "grey and alpha", "RGB", "RGBA"};
     return shape.size() + " " + channels[shape.channels - 1] + (shape.bits == 32 ? ", floats" : ", " + std::to_string(shape.bits) + " bits");
-}
-
-std::string data_url(const char* type, const Bytes& bytes) {
-    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    static const std::vector<std::array<char, 2>> pairs = [] {
-        std::vector<std::array<char, 2>> table;
-        for (int i = 0; i < 4096; ++i) table.push_back({digits[i >> 6], digits[i & 63]});
-        return table;
-    }();
-    std::string url = std::string("data:") + type + ";base64,";
-    const std::size_t start = url.size();
-    url.resize(start + (bytes.size() + 2) / 3 * 4, '=');
-    char* out = url.data() + start;
-    const auto* in = reinterpret_cast<const unsigned char*>(bytes.data());
-    std::size_t left = bytes.size();
-    for (; left >= 3; left -= 3, in += 3, out += 4) {
-        const unsigned bits = unsigned(in[0]) << 16 | unsigned(in[1]) << 8 | in[2];
-        std::copy_n(pairs[bits >> 12].data(), 2, out);
-        std::copy_n(pairs[bits & 4095].data(), 2, out + 2);
-    }
-    if (left > 0) {
-        const unsigned bits = unsigned(in[0]) << 16 | (left == 2 ? unsigned(in[1]) << 8 : 0);
-        std::copy_n(pairs[bits >> 12].data(), 2, out);
-        if (left == 2) out[2] = digits[bits >> 6 & 63];
-    }
-    return url;
 }
 
 Result<Bytes> encode(const AnyImage& image) {

@@ -19,6 +19,7 @@ using AddFlags = Run (*)(CLI::App& app);
 
 Run add_render(CLI::App& app);
 Run add_demo(CLI::App& app);
+Run add_step(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_pixel(CLI::App& app);
 Run add_trace(CLI::App& app);
@@ -34,6 +35,7 @@ struct Command {
 inline constexpr Command commands[] = {
     {"render", "Draws a picture of a model.", add_render},
     {"demo", "Draws a teapot; needs no file.", add_demo},
+    {"step", "Writes a page in which one steps through the draw, from vertex to pixel.", add_step},
     {"info", "Tells what is in a model file, and the camera that frames it.", add_info},
     {"pixel", "Tells why a pixel has its colour.", add_pixel},
     {"trace", "Writes down every step that makes a picture.", add_trace},

@@ -9,12 +9,14 @@
 #include "picture.h"
 #include "render_picture.h"
 #include "report.h"
+#include "step_page.h"
 #include "view.h"
 
 namespace raster::tool {
 namespace {
 
 constexpr const char* model_path = "teapot.obj";
+constexpr const char* page_path = "teapot.step.html";
 
 struct DemoArguments {
     ViewFlags view;
@@ -39,6 +41,13 @@ Result<int> run_demo(DemoArguments& a) {
     if (!status) return status.error();
     if (a.quiet || is_standard_output(a.outputs.picture)) return exit_done;
 
+    StepOptions step;
+    step.name = model_path;
+    step.command = "raster step teapot.obj";
+    Result<std::size_t> page = std::size_t(0);
+    with_threads(a.threads, [&] { page = write_step_page(page_path, model, *plan, job.options, step); });
+    if (!page) return page.error();
+
     // The model too, so that the next commands have something to work on; a file that is there is left alone.
     std::error_code ignored;
     const bool is_there = std::filesystem::exists(model_path, ignored);
@@ -49,12 +58,13 @@ Result<int> run_demo(DemoArguments& a) {
             return written.error();
     }
     const Status printed = print(a.outputs.picture + "  the picture: the Utah teapot, " +
-                                 with_separators(std::int64_t(model.triangle_count())) + " triangles\n" + model_path +
+                                 with_separators(std::int64_t(model.triangle_count())) + " triangles\n" + page_path +
+                                 "  a page to open in a browser: how it was drawn, step by step\n" + model_path +
                                  (is_there ? "  was there already and is left alone\n" : "  the model\n") +
                                  "\nTry next:\n"
                                  "  raster render teapot.obj --shade flat --aov depth,normal\n"
                                  "  raster render teapot.obj --turntable 12 --light point:pos=0,6,6:color=#ffd0a0\n"
-                                 "  raster info teapot.obj\n");
+                                 "  raster step teapot.obj --stage depth --quiz 10 -o worksheet.html\n");
     return printed ? Result<int>(exit_done) : printed.error();
 }
 

@@ -2,7 +2,7 @@
 . "$(dirname "$0")/lib.sh"
 
 test_help_goes_to_standard_output() {
-    for command in '' render info pixel trace demo doctor; do
+    for command in '' render step info pixel trace demo doctor; do
         # shellcheck disable=SC2086
         expect 0 '' $command --help
         expect_out '^Usage: raster '
@@ -17,7 +17,7 @@ test_help_goes_to_standard_output() {
 }
 
 test_help_fits_a_terminal() {
-    for command in '' render info pixel trace demo doctor; do
+    for command in '' render step info pixel trace demo doctor; do
         # shellcheck disable=SC2086
         run $command --help
         if grep -nE '.{81,}' "$stdout"; then failed "$command --help has lines of more than 80 columns"; fi
@@ -70,7 +70,7 @@ test_doctor_answers() {
 
 test_demo_needs_no_file() {
     expect 0 '' demo
-    expect_files teapot.png teapot.obj
+    expect_files teapot.png teapot.obj teapot.step.html
     expect_out '^Try next:'
     [ "$(grep -c '^  raster ' "$stdout")" = 3 ] || failed 'not three commands'
     grep '^  raster ' "$stdout" >next

@@ -1,0 +1,13 @@
+// data_url.h: a file inside a page: data URLs (RFC 2397) in base64 (RFC 4648).
+#pragma once
+
+#include <string>
+
+#include <raster/image/file.h>
+
+namespace raster {
+
+/// "data:TYPE;base64,..." for a MIME type such as "image/png".
+std::string data_url(const char* type, const Bytes& bytes);
+
+}  // namespace raster

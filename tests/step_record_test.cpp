@@ -1,0 +1,182 @@
+// What the stepper page keeps of a draw: the picture's own numbers, and nothing that the pipeline did not compute.
+#include <gtest/gtest.h>
+
+#include <raster/scene/shapes.h>
+#include <raster/scene/transform.h>
+#include <raster/step/recorder.h>
+#include <raster/step/step.h>
+#include <raster/step/survey.h>
+
+namespace {
+
+using namespace raster;
+using namespace raster::step;
+
+constexpr int width = 80, height = 60;
+
+CameraMatrices camera_at(float near_plane = 0.1f) {
+    Camera camera;
+    camera.position = {2.0f, 1.5f, 2.5f};
+    camera.near_plane = near_plane;
+    camera.view_angle = 45;
+    return *camera_matrices(camera, double(width) / height);
+}
+
+/// Everything that is drawn, with all triangles and pixels.
+Record record_all(const Model& model, const CameraMatrices& camera, const RenderOptions& options, Target& target) {
+    Record record{};
+    record.width = width;
+    record.height = height;
+    record.region = {0, 0, width - 1, height - 1};
+    std::map<std::int64_t, std::string> all;
+    for (std::size_t t = 0; t < model.triangle_count(); ++t) all.emplace(std::int64_t(t), "all");
+    Recorder recorder(record, all, options.world_from_object);
+    record.counts = watch(target, model, camera, options, recorder);
+    return record;
+}
+
+TEST(StepRecord, TheObservedPictureIsTheRenderedOne) {
+    const Model model = cube();
+    for (const ShadingFrequency frequency : {ShadingFrequency::flat, ShadingFrequency::phong}) {
+        RenderOptions options;
+        options.frequency = frequency;
+        Target observed(width, height), rendered(width, height);
+        record_all(model, camera_at(), options, observed);
+        render(rendered, model, camera_at(), options);
+        EXPECT_EQ(observed.color8(), rendered.color8());
+        EXPECT_EQ(observed.depth(), rendered.depth());
+    }
+}
+
+TEST(StepRecord, TheLastFragmentThatPassedIsThePicture) {
+    Target target(width, height);
+    const Record record = record_all(cube(), camera_at(), {}, target);
+    std::map<std::pair<int, int>, glm::vec4> last;
+    for (const FragmentRecord& f : record.fragments)
+        if (f.passed) last[{f.x, f.y}] = f.after;
+    EXPECT_GT(last.size(), 100u);
+    for (const auto& [place, color] : last) EXPECT_EQ(color, target.color(place.first, place.second));
+}
+
+TEST(StepRecord, TheLightTakenApartHasTheShadersBits) {
+    for (const ShadingFrequency frequency : {ShadingFrequency::flat, ShadingFrequency::phong}) {
+        for (const std::string_view name : reflectance_names()) {
+            RenderOptions options;
+            options.frequency = frequency;
+            options.reflectance = *find_reflectance(name);
+            Light lamp;
+            lamp.kind = LightKind::point;
+            lamp.position = {1, 2, 1};
+            options.lights.push_back(lamp);
+            Target target(width, height);
+            const Record record = record_all(cube(), camera_at(), options, target);
+            std::size_t lit = 0;
+            for (const FragmentRecord& f : record.fragments) {
+                if (!f.passed) continue;
+                ASSERT_TRUE(f.shading && f.shading->agrees) << name << " at " << f.x << "," << f.y;
+                ASSERT_EQ(f.shading->lights.size(), 2u);
+                lit += f.shading->lights[0].n_l > 0;
+            }
+            EXPECT_GT(lit, 100u);
+        }
+    }
+}
+
+TEST(StepRecord, EveryNewCornerOfACutHasItsEdgeAndItsT) {
+    Target target(width, height);
+    const Record record = record_all(cube(), camera_at(3.2f), {}, target);
+    int cuts = 0;
+    for (const TriangleRecord& t : record.triangles) {
+        for (const PlaneRecord& plane : t.planes) {
+            for (const CornerRecord& corner : plane.after) {
+                if (corner.from < 0) {
+                    EXPECT_TRUE(std::any_of(plane.before.begin(), plane.before.end(),
+                                            [&](const CornerRecord& b) { return b.clip == corner.clip; }));
+                    continue;
+                }
+                ++cuts;
+                const CornerRecord &a = plane.before[std::size_t(corner.from)], &b = plane.before[std::size_t(corner.to)];
+                EXPECT_NE(a.distance >= 0, b.distance >= 0);
+                EXPECT_GE(corner.t, 0.0f);
+                EXPECT_LE(corner.t, 1.0f);
+                for (int i = 0; i < 4; ++i) EXPECT_EQ(corner.clip[i], a.clip[i] + corner.t * (b.clip[i] - a.clip[i]));
+            }
+        }
+    }
+    EXPECT_GT(cuts, 4);
+}
+
+TEST(StepRecord, WeightsAddUpToOneAndThePlanesAgreeWithTheEdges) {
+    Target target(width, height);
+    const Record record = record_all(cube(), camera_at(), {}, target);
+    for (const FragmentRecord& f : record.fragments) {
+        EXPECT_NEAR(f.weights[0] + f.weights[1] + f.weights[2], 1.0f, 1e-4f);
+        EXPECT_NEAR(f.affine_weights[0] + f.affine_weights[1] + f.affine_weights[2], 1.0f, 1e-4f);
+    }
+    for (const TriangleRecord& t : record.triangles) {
+        for (const PieceRecord& p : t.pieces) {
+            if (!p.setup) continue;
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_EQ(bool(p.setup->setup.edges[k].inclusive), p.setup->owned_opengl[k]);
+        }
+    }
+}
+
+TEST(StepRecord, CoverageHoldsOneTripleAPixelOfItsRectangle) {
+    Target target(width, height);
+    const Record record = record_all(cube(), camera_at(), {}, target);
+    for (const TriangleRecord& t : record.triangles) {
+        for (const PieceRecord& p : t.pieces) {
+            if (!p.setup) continue;
+            const CoverageRecord& c = p.setup->coverage;
+            EXPECT_EQ(c.edges.size(), std::size_t(c.width) * std::size_t(c.height));
+            EXPECT_EQ(std::int64_t(c.edges.size()), p.setup->tested) << "the region is the whole picture";
+        }
+    }
+}
+
+TEST(StepSurvey, TheBusyPixelIsCoveredOftenAndItsTrianglesAreChosenFirst) {
+    const Model model = cube();
+    Target target(width, height);
+    Survey survey(width, height);
+    watch(target, model, camera_at(), {}, survey);
+    const glm::ivec2 pixel = survey.busy_pixel();
+    StepOptions options;
+    options.max_triangles = 2;
+    const auto chosen = survey.choose(options, pixel, {0, 0, width - 1, height - 1});
+    ASSERT_EQ(chosen.size(), 2u) << "no more than asked for";
+    for (const auto& [number, why] : chosen) EXPECT_EQ(why, "covers the pixel");
+    options.triangle = 11;
+    EXPECT_TRUE(survey.choose(options, pixel, {0, 0, width - 1, height - 1}).contains(11));
+}
+
+TEST(StepPage, IsOneFileThatSaysWhatItLeftOut) {
+    StepOptions options;
+    options.name = "</script>";
+    options.max_triangles = 3;
+    const Result<std::string> page = step_page(cube(), camera_at(), width, height, {}, options);
+    ASSERT_TRUE(page);
+    EXPECT_EQ(page->find("{{"), std::string::npos);
+    EXPECT_NE(page->find("\\u003c/script>"), std::string::npos) << "a name cannot end the script";
+    EXPECT_NE(page->find("Of 12 triangles 3 are followed"), std::string::npos);
+    EXPECT_EQ(page->find("http://"), std::string::npos);
+    EXPECT_EQ(page->find("https://"), std::string::npos);
+}
+
+TEST(StepPage, RefusesWhatIsNotThere) {
+    StepOptions options;
+    options.pixel = glm::ivec2(width, 0);
+    EXPECT_FALSE(step_page(cube(), camera_at(), width, height, {}, options));
+    options.pixel.reset();
+    options.triangle = 12;
+    EXPECT_FALSE(step_page(cube(), camera_at(), width, height, {}, options));
+    options.triangle.reset();
+    options.stage = "raster";
+    EXPECT_FALSE(step_page(cube(), camera_at(), width, height, {}, options));
+}
+
+TEST(StepPage, OfAModelWithoutTrianglesIsThere) {
+    EXPECT_TRUE(step_page(Model{}, camera_at(), width, height, {}, {}));
+}
+
+}  // namespace

@@ -1,0 +1,75 @@
+# step.sh: the stepper page as a file, and in a browser where there is one.
+. "$(dirname "$0")/lib.sh"
+
+data_of() {
+    sed -n 's/.*<script type="application\/json" id="data">\(.*\)<\/script>.*/\1/p' "$1"
+}
+
+test_step_writes_one_page() {
+    make_triangle
+    expect 0 't.step.html: [0-9,]+ bytes' step t.obj --size 60x40
+    expect_files t.obj t.step.html
+    if grep -qE '(src|href)="(https?:)?//|@import|url\(' t.step.html; then failed 'the page refers to a network'; fi
+    run step t.obj --size 60x40 -o - -q
+    same t.step.html "$stdout"
+    [ ! -s "$stderr" ] || failed '--quiet is not quiet'
+}
+
+test_the_same_command_writes_the_same_page() {
+    make_triangle
+    expect 0 '' step t.obj --size 60x40 -o a.html
+    expect 0 '' step t.obj --size 60x40 -o b.html --threads 1
+    same a.html b.html
+}
+
+test_the_demo_page_is_small() {
+    expect 0 '' demo
+    [ "$(wc -c <teapot.step.html)" -le 1500000 ] || failed "the demo page has $(wc -c <teapot.step.html) bytes"
+    data_of teapot.step.html | grep -q '"left_out":\["' || failed 'the page does not say what was left out'
+}
+
+test_the_pixel_the_triangle_and_the_stage_are_kept() {
+    make_triangle
+    expect 0 '' step t.obj --size 60x40 --pixel 29,21 --triangle 1 --stage depth
+    data_of t.step.html | grep -q '"focus":{"pixel":\[29,21\],"triangle":1,"stage":"depth"}' || failed 'the focus is another'
+}
+
+test_what_is_not_there_is_said() {
+    make_triangle
+    expect 2 'pixel 60,0 lies outside the picture of 60x40' step t.obj --size 60x40 --pixel 60,0
+    expect 2 'no triangle 2; the model has 1' step t.obj --triangle 2
+    expect 2 "'raster' is none of vertex" step t.obj --stage raster
+    expect 2 '' step t.obj --pixel 3
+    expect 2 '' step t.obj --quiz 0
+    expect_files t.obj
+}
+
+test_strange_names_stay_text() {
+    make_triangle 'a<b>&.obj'
+    expect 0 '' step 'a<b>&.obj' --size 40x30 -o t.html
+    grep -qF '<title>a&lt;b&gt;&amp;.obj step by step' t.html || failed 'the name is no text'
+    if grep -qF 'a<b>' t.html; then failed 'the name is markup'; fi
+}
+
+# Needs node, chromium and, once, the npm packages, which are kept outside of the tree.
+test_the_page_in_a_browser() {
+    local modules=${RASTER_NPM:-${XDG_CACHE_HOME:-$HOME/.cache}/raster-npm}
+    if ! command -v node >/dev/null || ! command -v npm >/dev/null || ! command -v chromium >/dev/null; then
+        echo "SKIPPED $current: node, npm or chromium is not here"
+        return
+    fi
+    if [ ! -d "$modules/node_modules/playwright-core" ] || [ ! -d "$modules/node_modules/axe-core" ]; then
+        mkdir -p "$modules"
+        if ! npm install --prefix "$modules" --no-audit --no-fund playwright-core axe-core >npm.log 2>&1; then
+            echo "SKIPPED $current: npm cannot install playwright-core and axe-core"
+            return
+        fi
+    fi
+    expect 0 '' demo
+    expect 0 '' step teapot.obj --camera-position 2,3,4 --camera-focal-point 0,1.5,0 --near 3 --far 100 -o clipped.html
+    expect 0 '' step teapot.obj --size 400x300 --quiz 6 -o worksheet.html
+    (cd "$modules" && node "$SOURCE/tests/tool/step_page.mjs" "$OLDPWD/teapot.step.html" "$OLDPWD/clipped.html" \
+        "$OLDPWD/worksheet.html") >browser.log 2>&1 || failed "$(cat browser.log)"
+}
+
+run_tests "$@"
