@@ -51,19 +51,24 @@ DrawCounts draw(Target& target, const S& shader, const std::type_identity_t<Mesh
 
 namespace detail {
 
+/// A pipeline as it should be. A variant for teaching (bugs/variant.h) changes what some stages gave.
+struct NoVariant {};
+inline constexpr NoVariant no_variant;
+
 /// One observed draw call: what its stages share.
-template <Shader S, class Observer>
+template <Shader S, class Observer, class Variant = const NoVariant>
 class ObservedDraw {
 public:
     ObservedDraw(Target& target, const S& shader, const Mesh<typename S::template Vertex<float>>& mesh,
-                 const State& state, Observer& observer)
+                 const State& state, Observer& observer, Variant& variant = no_variant)
         : target_(target),
           shader_(shader),
           mesh_(mesh),
           state_(state),
           viewport_(effective_viewport(state.viewport, target.width(), target.height())),
           limits_(drawable_pixels(state, target.width(), target.height())),
-          observer_(observer) {}
+          observer_(observer),
+          variant_(variant) {}
 
     DrawCounts run() {
         if (!is_valid(viewport_)) return {};
@@ -132,6 +137,7 @@ private:
         bool finite = true;
         for (std::size_t c = 0; c < 3; ++c) {
             outcodes[c] = outcode(corners[c].clip) | user_outcode(state_.clip_planes, corners[c].clip);
+            if constexpr (requires { variant_.change_outcode(outcodes[c]); }) variant_.change_outcode(outcodes[c]);
             finite = finite && is_finite(corners[c].clip);
             polygon.add(corners[c]);
         }
@@ -177,7 +183,9 @@ private:
         std::array<SubpixelVertex<float>, 3> subpixel;
         for (std::size_t c = 0; c < 3; ++c) {
             window[c] = project(corners[c].clip, viewport);
+            if constexpr (requires { variant_.change_window(window[c]); }) variant_.change_window(window[c]);
             subpixel[c] = snap(window[c]);
+            if constexpr (requires { variant_.change_subpixel(subpixel[c]); }) variant_.change_subpixel(subpixel[c]);
         }
         notify<ProjectEvent>(observer_, [&] {
             return ProjectEvent{triangle, piece, {corners[0].clip, corners[1].clip, corners[2].clip}, window, subpixel};
@@ -196,10 +204,12 @@ private:
         TriangleSetup setup = make_setup(window, subpixel, area, state_.fill_rule, target_.width(), target_.height(),
                                          state_.depth_offset, target_.depth_format());
         setup.box = intersection(setup.box, limits_);
+        if constexpr (requires { variant_.change_setup(setup); }) variant_.change_setup(setup);
         const auto corner = [&](std::size_t i) { return std::size_t(setup.order[i]); };
+        std::array<float, 3> oow = {window[corner(0)].oow, window[corner(1)].oow, window[corner(2)].oow};
+        if constexpr (requires { variant_.change_perspective(oow); }) variant_.change_perspective(oow);
         const auto planes = make_varying_planes<S, float>(
-            setup.basis, {&corners[corner(0)].varyings, &corners[corner(1)].varyings, &corners[corner(2)].varyings},
-            {window[corner(0)].oow, window[corner(1)].oow, window[corner(2)].oow});
+            setup.basis, {&corners[corner(0)].varyings, &corners[corner(1)].varyings, &corners[corner(2)].varyings}, oow);
         notify<SetupEvent>(observer_, [&] { return SetupEvent{triangle, piece, setup, planes.oow, planes.planes}; });
 
         const PixelBox box = pixels_to_run(observer_, setup.box);
@@ -246,6 +256,7 @@ private:
     Viewport viewport_;
     PixelBox limits_;
     Observer& observer_;
+    Variant& variant_;
     std::vector<Vertex> shaded_;
     std::array<ClipCorner, 3 + max_clip_planes> before_corners_, after_corners_;
     DrawCounts counts_;

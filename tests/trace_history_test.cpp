@@ -15,7 +15,8 @@ PixelHistory history_of(const TraceScene& scene, int x, int y) {
     return pixel_history(target, scene.model, scene.camera, scene.options, x, y);
 }
 
-/// A picture of 16 by 16 whose pixel (x, y) has its centre at (x + 0.5 - 8, 7.5 - y) of the model's x and y. z 1 is near.
+/// A picture of 16 by 16 whose pixel (x, y) has its centre at (x + 0.5 - 8, 7.5 - y) of the model's x and y. z 1 is
+/// near.
 TraceScene flat_scene() {
     TraceScene scene = trace_scenes().back();
     scene.model = {};
@@ -47,7 +48,8 @@ TEST(History, OfEveryPixelEndsInThePicturesColourAndDepth) {
                     ++fates[std::size_t(e.fate)];
                     if (e.pixel() && e.pixel()->depth) {
                         EXPECT_EQ(e.pixel()->depth->stored, depth);
-                        if (e.pixel()->depth->passed && h.draw_of(e).state.depth_write) depth = e.pixel()->depth->incoming;
+                        if (e.pixel()->depth->passed && h.draw_of(e).state.depth_write)
+                            depth = e.pixel()->depth->incoming;
                     }
                     ASSERT_EQ(e.fate == PixelFate::wrote, e.pixel() && e.pixel()->blend);
                     if (e.fate != PixelFate::wrote) continue;
@@ -187,13 +189,28 @@ TEST(History, WhatIsClippedAwayHereIsNamedWithItsPlane) {
         ASSERT_EQ(low.entries.size(), 1u);
         EXPECT_EQ(low.entries[0].cut_by, std::vector{plane});
         EXPECT_EQ(low.entries[0].pixel(), nullptr) << "not reached";
-        EXPECT_NE(history_text(low).find(plane == ClipPlane::near ? "CLIPPED(near)" : "CLIPPED(far)"), std::string::npos);
+        EXPECT_NE(history_text(low).find(plane == ClipPlane::near ? "CLIPPED(near)" : "CLIPPED(far)"),
+                  std::string::npos);
         const PixelHistory tip = history_of(scene, 8, 3);
         EXPECT_EQ(tip.verdict, PixelVerdict::won);
         ASSERT_FALSE(tip.entries.empty());
         EXPECT_EQ(tip.entries[*tip.decisive].triangle.cuts.size(), 1u);
         EXPECT_EQ(history_of(scene, 0, 8).verdict, PixelVerdict::background) << "beside the triangle";
     }
+}
+
+TEST(History, PiecesOfOneTriangleAreNotNearMissesOfEachOther) {
+    TraceScene scene = flat_scene();
+    add(scene, {-6, -6, 0}, {6, -6, 0}, {0, 6, 3});  // its tip is cut away, which leaves two pieces
+    int covered = 0;
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const PixelHistory h = history_of(scene, x, y);
+            if (h.verdict != PixelVerdict::won) continue;
+            ++covered;
+            EXPECT_EQ(h.entries.size(), 1u) << x << " " << y;
+        }
+    EXPECT_GT(covered, 20);
 }
 
 TEST(History, WhatIsCulledHereIsNamedAndNothingIsMadeUpForIt) {

@@ -20,7 +20,8 @@ using namespace raster::testing;
 
 std::vector<std::string> trace(const TraceScene& scene, const TraceFilter& filter = {}) {
     Target target = scene.target();
-    const Result<std::string> text = trace_picture(target, scene.model, scene.camera, scene.options, filter, {"p", "m"});
+    const Result<std::string> text =
+        trace_picture(target, scene.model, scene.camera, scene.options, filter, {"p", "m"});
     EXPECT_TRUE(text);
     std::vector<std::string> lines;
     std::istringstream in(*text);
@@ -70,7 +71,8 @@ TEST(Trace, HasALineForEveryEventBetweenAHeaderAndAnEnd) {
         const auto lines = trace(scene);
         ASSERT_GT(lines.size(), 2u);
         EXPECT_TRUE(has(lines.front(), "\"format\":\"raster-trace\""));
-        EXPECT_TRUE(has(lines.back(), "{\"stage\":\"end\",\"submitted\":" + std::to_string(scene.model.triangle_count())));
+        EXPECT_TRUE(
+            has(lines.back(), "{\"stage\":\"end\",\"submitted\":" + std::to_string(scene.model.triangle_count())));
         for (std::size_t i = 1; i + 1 < lines.size(); ++i) ++found.of[stage_of_line(lines[i])];
         EXPECT_EQ(found.of, expected.of);
     }
@@ -168,7 +170,8 @@ TEST(TraceJson, EveryFloatIsReadBackTheSame) {
             continue;
         }
         // As JavaScript and Python do it: a double, then rounded.
-        EXPECT_EQ(std::bit_cast<std::uint32_t>(float(std::atof(text.c_str()))), std::bit_cast<std::uint32_t>(value)) << text;
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(float(std::atof(text.c_str()))), std::bit_cast<std::uint32_t>(value))
+            << text;
     }
 }
 

@@ -45,9 +45,8 @@ TEST(Record, EveryTriangleIsThereOnceInTheOrderOfSubmission) {
         std::vector<int> seen(triangles.size());
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             ++seen[std::size_t(triangles[i].number)];
-            EXPECT_EQ(triangles[i].triangle, i == 0 || triangles[i].draw != triangles[i - 1].draw
-                                                 ? 0
-                                                 : triangles[i - 1].triangle + 1);
+            EXPECT_EQ(triangles[i].triangle,
+                      i == 0 || triangles[i].draw != triangles[i - 1].draw ? 0 : triangles[i - 1].triangle + 1);
         }
         for (const int count : seen) EXPECT_EQ(count, 1);
     }
@@ -121,7 +120,9 @@ TEST(Record, OnePixelHasTheNumbersThatItHasAmongAll) {
                     if (watched.empty()) continue;
                     EXPECT_EQ(watched[0].coverage.edges, found->coverage.edges);
                     ASSERT_EQ(watched[0].depth.has_value(), found->depth.has_value());
-                    if (found->depth) { EXPECT_EQ(watched[0].depth->stored, found->depth->stored); }
+                    if (found->depth) {
+                        EXPECT_EQ(watched[0].depth->stored, found->depth->stored);
+                    }
                     ASSERT_EQ(watched[0].blend.has_value(), found->blend.has_value());
                     if (!found->blend) continue;
                     EXPECT_EQ(watched[0].blend->after, found->blend->after);
@@ -163,7 +164,9 @@ TEST(Record, OnlyChosenTrianglesAreRecordedAndTheOthersStillHide) {
             for (std::size_t i = 0; i < t.pieces[p].pixels.size(); ++i) {
                 const auto &a = t.pieces[p].pixels[i].depth, &b = same.pieces[p].pixels[i].depth;
                 ASSERT_EQ(a.has_value(), b.has_value());
-                if (a) { EXPECT_EQ(a->stored, b->stored); }
+                if (a) {
+                    EXPECT_EQ(a->stored, b->stored);
+                }
             }
         }
     }

@@ -73,7 +73,8 @@ private:
     Observer& observer_;
 };
 
-/// The picture that `render` of scene/render.h makes, to the last bit at the watched pixels; others may stay as cleared.
+/// The picture that `render` of scene/render.h makes, to the last bit at the watched pixels; others may stay as
+/// cleared.
 DrawCounts render_for(SceneObserver& observer, Target& target, const Model& model, const CameraMatrices& camera,
                       const RenderOptions& options);
 

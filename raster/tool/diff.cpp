@@ -7,6 +7,7 @@
 #include <raster/image/report.h>
 
 #include "commands.h"
+#include "explain.h"
 #include "flags.h"
 #include "report.h"
 
@@ -18,6 +19,8 @@ struct DiffArguments {
     DiffOptions options;
     std::string mask, out = "diff-out", junit;
     bool json = false;
+    ExplainFlags explain;
+    Explained explained;
 };
 
 /// As POSIX diff: 0 and 1 are answers, all else is trouble.
@@ -42,12 +45,25 @@ Result<double> parse_limit(std::string_view text, double most) {
 }
 
 /// Compares one pair and keeps it in the report.
-Status compare(const FilePair& pair, const DiffOptions& options, DiffReport& report) {
-    Result<Comparison> comparison = diff_files(pair.expected_path, pair.actual_path, options);
+Status compare(const FilePair& pair, DiffArguments& a, DiffReport& report) {
+    Result<Comparison> comparison = diff_files(pair.expected_path, pair.actual_path, a.options);
     if (!comparison) return comparison.error();
     comparison->name = pair.name;
     comparison->golden = pair.golden;
-    return report.add(*comparison, options.gates);
+    if (!a.explain.load.model.empty()) {
+        Result<Explained> explained = explain(a.explain, *comparison);
+        if (!explained) return explained.error();
+        a.explained = std::move(*explained);
+    }
+    return report.add(*comparison, a.options.gates);
+}
+
+/// The report's JSON with the explanation as one more member. Its other members stay as they are written.
+std::string json_with(std::string report, const std::string& explained) {
+    const std::size_t end = report.rfind('}');
+    if (explained.empty() || end == std::string::npos) return report;
+    const std::size_t last = report.find_last_not_of(" \n", end - 1) + 1;
+    return report.substr(0, last) + ",\n  \"explanations\": " + explained + "\n" + report.substr(end);
 }
 
 Result<std::vector<FilePair>> find_pairs(const DiffArguments& a) {
@@ -77,18 +93,23 @@ Result<int> compare_all(DiffArguments& a) {
     }
     const Result<std::vector<FilePair>> pairs = find_pairs(a);
     if (!pairs) return pairs.error();
+    std::error_code ignored;
+    if (!a.explain.load.model.empty() && std::filesystem::is_directory(a.expected, ignored))
+        return Error{ErrorKind::usage, "--explain: compare two files, not folders"};
     if (!a.junit.empty())
         if (const Status writable = check_writable(a.junit); !writable) return writable.error();
 
     DiffReport report(a.out);
     for (const FilePair& pair : *pairs)
-        if (const Status done = compare(pair, a.options, report); !done) return done.error();
+        if (const Status done = compare(pair, a, report); !done) return done.error();
     if (const Status finished = report.finish(); !finished) return finished.error();
     if (!a.junit.empty()) {
         const std::string xml = report.junit();
         if (const Status written = write_file(a.junit, std::as_bytes(std::span(xml))); !written) return written.error();
     }
-    if (const Status printed = print(a.json ? report.json() : report.text()); !printed) return printed.error();
+    const std::string answer =
+        a.json ? json_with(report.json(), a.explained.json) : report.text() + a.explained.text;
+    if (const Status printed = print(answer); !printed) return printed.error();
     return report.exit_code();
 }
 
@@ -133,6 +154,7 @@ Run add_diff(CLI::App& app) {
         ->group(group);
     add_switch(app, "--json", a->json, "Print diff.json instead of text.")->group(group);
     add_value(app, "--junit", "FILE", a->junit, parse_path, "Write the results as JUnit XML, also when all pass.")->group(group);
+    add_explain_flags(app, a->explain);
     app.footer("All figures are always told: count, max, mean, RMS, PSNR, SSIM, FLIP; and the tightest flags that would pass.\n"
                "Exit codes: 0 same or within the flags, 1 different, 2 trouble.");
     return [a] { return run_diff(*a); };

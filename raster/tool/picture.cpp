@@ -47,6 +47,10 @@ std::string model_help() {
 
 void add_load_flags(CLI::App& app, LoadFlags& flags) {
     app.add_option("MODEL", flags.model, model_help())->required()->group("Arguments");
+    add_reading_flags(app, flags);
+}
+
+void add_reading_flags(CLI::App& app, LoadFlags& flags) {
     // Whatever command it is: a scene says what its flags would, where they are not given.
     app.final_callback([&app, &flags] {
         if (!is_scene(flags.model)) return;

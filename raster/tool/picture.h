@@ -23,6 +23,8 @@ struct LoadFlags {
     std::optional<Result<SceneFile>> scene;  ///< where the model is a scene: read and its flags set, or why not
 };
 void add_load_flags(CLI::App& app, LoadFlags& flags);
+/// All of these but the model itself.
+void add_reading_flags(CLI::App& app, LoadFlags& flags);
 
 /// A model and what was said while it was read.
 struct Loaded {

@@ -21,8 +21,9 @@ struct PixelArguments {
 Status check_pixel(const PixelArguments& a, const Size& size) {
     for (const auto& [name, value, end] : {std::tuple("X", a.x, size.width), {"Y", a.y, size.height}})
         if (value >= end)
-            return Error{ErrorKind::usage, std::string(name) + ": " + std::to_string(value) + " is outside the picture of " +
-                                               to_text(size) + "; pixels are counted from 0, at the top left"};
+            return Error{ErrorKind::usage, std::string(name) + ": " + std::to_string(value) +
+                                               " is outside the picture of " + to_text(size) +
+                                               "; pixels are counted from 0, at the top left"};
     return Done{};
 }
 
@@ -39,8 +40,7 @@ Result<int> run_pixel(PixelArguments& a) {
 
     Target target(view->size.width, view->size.height);
     const PixelHistory history = pixel_history(target, loaded->model, view->matrices, options, a.x, a.y);
-    const Status printed =
-        print(a.json ? json_text(Json::parse(history_json(history))) : history_text(history));
+    const Status printed = print(a.json ? json_text(Json::parse(history_json(history))) : history_text(history));
     return printed ? Result<int>(exit_done) : printed.error();
 }
 

@@ -1,6 +1,7 @@
 // render.cpp: `raster render`: a model file in, pictures out.
 #include <chrono>
 
+#include "bug.h"
 #include "commands.h"
 #include "hash.h"
 #include "outputs.h"
@@ -25,6 +26,7 @@ struct RenderArguments {
     ProgressMode progress = ProgressMode::automatic;
     bool quiet = false;
     bool hash = false;
+    std::optional<Bug> bug;
 };
 
 /// Everything that can be known to be wrong before the model is read.
@@ -33,8 +35,12 @@ Result<ViewPlan> check_arguments(RenderArguments& a) {
     if (!plan) return plan;
     if (a.outputs.frames > 0 && plan->is_from_file())
         return Error{ErrorKind::usage, "--turntable moves the camera, so it excludes --camera-json"};
+    if (a.bug && (a.outputs.frames > 0 || !a.outputs.planes.empty()))
+        return Error{ErrorKind::usage, "--bug draws one picture without planes: it excludes --turntable and --aov"};
     if (a.outputs.picture.empty()) a.outputs.picture = default_picture_path(a.load.model);
     if (const Status status = check(a.outputs, {a.load.model, a.view.json}); !status) return status.error();
+    if (a.bug && (a.outputs.format == OutputFormat::pfm || is_standard_output(a.outputs.picture)))
+        return Error{ErrorKind::usage, "--bug writes files of 8 bits: .png or .ppm"};
     return plan;
 }
 
@@ -46,12 +52,15 @@ Result<int> run_render(RenderArguments& a) {
     Result<Loaded> loaded = load(a.load, progress, a.quiet);
     if (!loaded) return loaded.error();
     const double load_time = timer.lap();
-    const Status safe = check_no_input(a.outputs.paths(), texture_paths(a.load.model, loaded->model));
+    std::vector<std::string> paths = a.outputs.paths();
+    if (a.bug) paths.push_back(beside(a.outputs.picture, ".difference.png"));
+    const Status safe = check_no_input(paths, texture_paths(a.load.model, loaded->model));
     if (!safe) return safe.error();
 
     const RenderOptions options = a.picture.options_for(loaded->model);
     const Display display = a.picture.display_for(loaded->model, options);
     PictureJob job{loaded->model, options, display, *plan, a.outputs, a.hash, a.quiet};
+    job.bug = a.bug;
     job.load_time = load_time;
     job.warnings = loaded->report.warnings.size() + loaded->report.warnings_left_out;
     Status status = Done{};
@@ -85,6 +94,7 @@ Run add_render(CLI::App& app) {
                " least significant first) and the pixels, R, G, B, A a byte each (for .pfm, 4 floats each), row by row"
                " from the top left. With -o - it goes to standard error.")
         ->group("Other flags");
+    add_bug_flag(app, a->bug);
     add_thread_flags(app, a->threads);
     add_progress_flags(app, a->progress);
     add_switch(app, "-q,--quiet", a->quiet, "Say nothing but errors.")->group("Other flags");

@@ -6,6 +6,7 @@
 
 #include <raster/image/file.h>
 
+#include "bug.h"
 #include "hash.h"
 #include "planes.h"
 #include "report.h"
@@ -78,6 +79,7 @@ public:
         say(line);
         for (const PlaneChoice& plane : outputs.planes) say(outputs.plane_path(0, plane));
         if (!outputs.camera_json.empty() && outputs.camera_json != "-") say(outputs.camera_json);
+        if (job_.bug) say(bug_words_);
         if (counts_.drawn == 0) say("warning: nothing of the model is in view");
         std::string times = "load " + milliseconds(job_.load_time) + ", render " + milliseconds(render_time_) +
                             ", write " + milliseconds(write_time_);
@@ -95,7 +97,8 @@ private:
         Target target(view.size.width, view.size.height, as_light ? ColorFormat::rgba_float : ColorFormat::rgba8);
         RenderOptions options = job_.options;
         options.background = light_for(options.background, display);
-        counts_ += render(target, job_.model, view.matrices, options);
+        counts_ += job_.bug ? render_with_bug(*job_.bug, target, job_.model, view, options)
+                            : render(target, job_.model, view.matrices, options);
         std::optional<Target> shown;
         if (floats && display.exposure != 0) expose(target, display.exposure);
         if (!floats && as_light) shown = displayed(target, display);
@@ -109,6 +112,12 @@ private:
             !status)
             return status;
         if (const Status status = write_planes(frame, view, target); !status) return status;
+        if (job_.bug) {
+            Result<std::string> words = write_bug_difference(*job_.bug, target, job_.model, view, job_.options,
+                                                             beside(path, ".difference.png"));
+            if (!words) return words.error();
+            bug_words_ = std::move(*words);
+        }
         if (frame == 0 && !outputs.camera_json.empty()) {
             const std::string text = camera_json(view);
             if (const Status status = write_file(outputs.camera_json, std::as_bytes(std::span(text))); !status)
@@ -139,6 +148,7 @@ private:
     Progress& progress_;
     DrawCounts counts_;
     Timer timer_;
+    std::string bug_words_;
     double render_time_ = 0, write_time_ = 0;
 };
 

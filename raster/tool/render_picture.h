@@ -7,6 +7,7 @@
 #include "progress.h"
 #include "view.h"
 
+#include <raster/bugs/bug.h>
 #include <raster/scene/display.h>
 #include <raster/scene/render.h>
 
@@ -35,6 +36,7 @@ struct PictureJob {
     const OutputPlan& outputs;
     bool hash;
     bool quiet;
+    std::optional<Bug> bug = {};  ///< to be drawn with, and explained
     double load_time = 0;      ///< seconds, for the summary
     std::size_t warnings = 0;  ///< likewise
 };

@@ -84,8 +84,7 @@ Result<int> run_trace(TraceArguments& a) {
 
     Target target(view->size.width, view->size.height);
     const TraceSource source{"raster " RASTER_VERSION, std::filesystem::path(a.load.model).filename().string()};
-    const Result<std::string> trace =
-        trace_picture(target, loaded->model, view->matrices, options, a.filter, source);
+    const Result<std::string> trace = trace_picture(target, loaded->model, view->matrices, options, a.filter, source);
     if (!trace) return trace.error();
     if (const Status status = write_file(a.output, std::as_bytes(std::span(*trace))); !status) return status.error();
     if (!a.quiet)
@@ -113,8 +112,8 @@ Run add_trace(CLI::App& app) {
         if (!r) return r.error();
         return std::optional(*r);
     };
-    CLI::Option* one = add_value(app, "--pixel", "X,Y", a->rect, pixel,
-                                 "Only this pixel, and the triangles whose box reaches it.");
+    CLI::Option* one =
+        add_value(app, "--pixel", "X,Y", a->rect, pixel, "Only this pixel, and the triangles whose box reaches it.");
     trace(one);
     CLI::Option* some = add_value(app, "--rect", "X,Y,W,H", a->rect, rect, "Only these pixels, likewise.");
     trace(some);

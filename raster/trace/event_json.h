@@ -39,22 +39,27 @@ void write_members(JsonWriter& json, const State& state);
 /// A matrix as an array of rows, from the top.
 void write_rows(JsonWriter& json, const glm::mat4& m);
 
+namespace detail {
+constexpr std::string_view stage_name(const DrawEvent*) { return "draw"; }
+constexpr std::string_view stage_name(const VertexEvent*) { return "vertex"; }
+constexpr std::string_view stage_name(const AssembleEvent*) { return "assemble"; }
+constexpr std::string_view stage_name(const ClipPlaneEvent*) { return "clip_plane"; }
+constexpr std::string_view stage_name(const ClipEvent*) { return "clip"; }
+constexpr std::string_view stage_name(const ProjectEvent*) { return "project"; }
+constexpr std::string_view stage_name(const CullEvent*) { return "cull"; }
+constexpr std::string_view stage_name(const SetupEvent*) { return "setup"; }
+constexpr std::string_view stage_name(const CoverageEvent*) { return "coverage"; }
+constexpr std::string_view stage_name(const DepthEvent*) { return "depth"; }
+constexpr std::string_view stage_name(const InterpolateEvent*) { return "interpolate"; }
+constexpr std::string_view stage_name(const FragmentEvent*) { return "fragment"; }
+constexpr std::string_view stage_name(const BlendEvent*) { return "blend"; }
+}  // namespace detail
+
 /// The stage of an event, as in --stage.
 template <class Event>
-constexpr std::string_view stage_of();
-template <> constexpr std::string_view stage_of<DrawEvent>() { return "draw"; }
-template <> constexpr std::string_view stage_of<VertexEvent>() { return "vertex"; }
-template <> constexpr std::string_view stage_of<AssembleEvent>() { return "assemble"; }
-template <> constexpr std::string_view stage_of<ClipPlaneEvent>() { return "clip_plane"; }
-template <> constexpr std::string_view stage_of<ClipEvent>() { return "clip"; }
-template <> constexpr std::string_view stage_of<ProjectEvent>() { return "project"; }
-template <> constexpr std::string_view stage_of<CullEvent>() { return "cull"; }
-template <> constexpr std::string_view stage_of<SetupEvent>() { return "setup"; }
-template <> constexpr std::string_view stage_of<CoverageEvent>() { return "coverage"; }
-template <> constexpr std::string_view stage_of<DepthEvent>() { return "depth"; }
-template <> constexpr std::string_view stage_of<InterpolateEvent>() { return "interpolate"; }
-template <> constexpr std::string_view stage_of<FragmentEvent>() { return "fragment"; }
-template <> constexpr std::string_view stage_of<BlendEvent>() { return "blend"; }
+constexpr std::string_view stage_of() {
+    return detail::stage_name(static_cast<const Event*>(nullptr));
+}
 
 /// What the numbers of a vertex, of varyings and of outputs are, in their order: "normal_eye.x".
 std::vector<std::string> attribute_names();

@@ -41,8 +41,9 @@ public:
                                    [&](const Edge<float>& edge) { return is_inside(edge, edge_at(edge, x_, y_)); });
     }
 
-    /// The planes beyond which a triangle lies at this pixel; nothing where it is not in front of the eye there, or inside
-    /// the volume. In homogeneous coordinates (Olano and Greer 1997), since what is clipped away was never divided by w.
+    /// The planes beyond which a triangle lies at this pixel; nothing where it is not in front of the eye there, or
+    /// inside the volume. In homogeneous coordinates (Olano and Greer 1997), since what is clipped away was never
+    /// divided by w.
     std::vector<ClipPlane> cutting_planes(const std::array<glm::vec4, 3>& clip, const Viewport& viewport) const {
         const Viewport v = effective_viewport(viewport, width_, height_);
         const glm::dvec3 p((x_ + 0.5 - v.x) / v.width * 2 - 1, 1 - (y_ + 0.5 - v.y) / v.height * 2, 1);
@@ -200,8 +201,8 @@ void add_terms(PixelHistory& history, const Model& model, const CameraMatrices& 
             for (HistoryEntry& e : history.entries)
                 if (e.fate == PixelFate::wrote && e.triangle.draw == t.draw && e.triangle.triangle == t.triangle &&
                     e.piece() == piece.project.piece)
-                    e.terms = {three(shaded_plane::normal),  three(shaded_plane::ambient),
-                               three(shaded_plane::diffuse), three(shaded_plane::specular),
+                    e.terms = {three(shaded_plane::normal),   three(shaded_plane::ambient),
+                               three(shaded_plane::diffuse),  three(shaded_plane::specular),
                                three(shaded_plane::emission), {o[0], o[1], o[2], o[3]}};
         }
     });

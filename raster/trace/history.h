@@ -41,10 +41,10 @@ struct FragmentTerms {
 
 struct HistoryEntry {
     PixelFate fate{};
-    bool visible = false;               ///< wrote, and nothing opaque came after
-    double distance = 0;                ///< from the pixel's centre to the triangle, in pixels; 0 inside
-    std::vector<ClipPlane> cut_by;      ///< when clipped: the planes that took this place away
-    RecordedTriangle triangle;          ///< with this one piece, or none when clipped
+    bool visible = false;           ///< wrote, and nothing opaque came after
+    double distance = 0;            ///< from the pixel's centre to the triangle, in pixels; 0 inside
+    std::vector<ClipPlane> cut_by;  ///< when clipped: the planes that took this place away
+    RecordedTriangle triangle;      ///< with this one piece, or none when clipped
     std::optional<FragmentTerms> terms;
 
     /// What was computed at the pixel; null where coverage was not reached.
@@ -72,8 +72,8 @@ struct PixelHistory {
     DrawCounts counts;
     ColorFormat color_format{};
     DepthFormat depth_format{};
-    glm::vec4 color_before{0.0f}, color{0.0f};     ///< as cleared, and at the end
-    std::uint32_t depth_before = 0, depth = 0;     ///< as encode_depth gives them
+    glm::vec4 color_before{0.0f}, color{0.0f};  ///< as cleared, and at the end
+    std::uint32_t depth_before = 0, depth = 0;  ///< as encode_depth gives them
 
     const RecordedDraw& draw_of(const HistoryEntry& entry) const { return draws[std::size_t(entry.triangle.draw)]; }
     int count(PixelFate fate) const;
@@ -84,9 +84,9 @@ struct HistoryOptions {
     bool terms = true;         ///< a second run for FragmentTerms
 };
 
-/// The history of pixel (x, y) of the picture that render() makes. The picture's own draws are run, all stages up to the
-/// setup for all triangles and those of pixels for this one; every number in the entries is from that run. Only what
-/// is listed (how near a triangle comes, what clipped or culled triangles would have covered) is decided here.
+/// The history of pixel (x, y) of the picture that render() makes. The picture's own draws are run, all stages up to
+/// the setup for all triangles and those of pixels for this one; every number in the entries is from that run. Only
+/// what is listed (how near a triangle comes, what clipped or culled triangles would have covered) is decided here.
 /// `target` gives size and formats, is drawn to, and has its picture at that pixel alone.
 PixelHistory pixel_history(Target& target, const Model& model, const CameraMatrices& camera,
                            const RenderOptions& options, int x, int y, const HistoryOptions& history = {});

@@ -161,7 +161,8 @@ private:
         write_stage(pixel ? pixel->depth : std::nullopt);
         std::optional<InterpolateEvent> interpolation;
         if (pixel && pixel->interpolation)
-            interpolation = InterpolateEvent{n, p, h_.x, h_.y, pixel->interpolation->oow, pixel->interpolation->varyings};
+            interpolation =
+                InterpolateEvent{n, p, h_.x, h_.y, pixel->interpolation->oow, pixel->interpolation->varyings};
         write_stage(interpolation);
         std::optional<FragmentEvent> fragment;
         if (pixel && pixel->outputs) fragment = FragmentEvent{n, p, h_.x, h_.y, *pixel->outputs};

@@ -98,10 +98,12 @@ public:
             case PixelVerdict::won: return text + ", " + name_of(*e) + " " + how_won(*e, lost, wrote);
             case PixelVerdict::all_rejected:
                 return text + "(depth), " + std::to_string(lost) + " covered it and failed the depth test";
-            case PixelVerdict::clipped: return text + "(" + plane_name(e->cut_by[0]) + "), " + name_of(*e) + " would be here";
+            case PixelVerdict::clipped:
+                return text + "(" + plane_name(e->cut_by[0]) + "), " + name_of(*e) + " would be here";
             case PixelVerdict::culled: return text + ", " + name_of(*e) + " would be here and faces the wrong way";
             case PixelVerdict::never_covered:
-                return text + ", " + name_of(*e) + format(" comes nearest, %.2g pixels away; ", e->distance) + rejection(*e);
+                return text + ", " + name_of(*e) + format(" comes nearest, %.2g pixels away; ", e->distance) +
+                       rejection(*e);
             case PixelVerdict::nan: return text + ", " + name_of(*e) + " gave something that is not a number";
             case PixelVerdict::background: break;
         }
@@ -179,8 +181,9 @@ private:
         std::string text;
         for (int i = 0; i < 3; ++i)
             if (e.is_tie(i))
-                text += format("   * tie: e%d == 0, %s edge, owned (%s)", i,
-                               to_string(side_of(e.setup()->setup.edges[std::size_t(i)])), rule_name(state(e).fill_rule));
+                text +=
+                    format("   * tie: e%d == 0, %s edge, owned (%s)", i,
+                           to_string(side_of(e.setup()->setup.edges[std::size_t(i)])), rule_name(state(e).fill_rule));
         return text;
     }
 

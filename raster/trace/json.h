@@ -37,7 +37,7 @@ public:
     }
 
     template <class T>
-        requires std::is_arithmetic_v<T>
+    requires std::is_arithmetic_v<T>
     void value(T number) {
         separate();
         if constexpr (std::is_same_v<T, bool>) {

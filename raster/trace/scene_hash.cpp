@@ -14,8 +14,7 @@ namespace {
 class Hash {
 public:
     template <class T>
-        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-    void add(T value) {
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void add(T value) {
         if constexpr (std::is_floating_point_v<T>) {
             add(std::bit_cast<std::uint32_t>(float(value)));
         } else {
@@ -83,7 +82,8 @@ private:
     }
     void add(const EyeLight& light) {
         hash_.add(light.kind);
-        for (const glm::vec3& v : {light.diffuse, light.specular, light.position_eye, light.direction_eye}) hash_.add(v);
+        for (const glm::vec3& v : {light.diffuse, light.specular, light.position_eye, light.direction_eye})
+            hash_.add(v);
         for (const float number : {light.attenuation.c1, light.attenuation.c2, light.attenuation.c3, light.cos_cutoff,
                                    light.falloff_exponent})
             hash_.add(number);
@@ -91,8 +91,8 @@ private:
     void add(const SurfaceMaterial& m) {
         for (const glm::vec3& color : {m.ambient, m.diffuse, m.specular, m.emission}) hash_.add(color);
         hash_.add(m.alpha);
-        for (const TextureView* view : {&m.ambient_texture, &m.diffuse_texture, &m.specular_texture,
-                                        &m.emission_texture, &m.alpha_texture}) {
+        for (const TextureView* view :
+             {&m.ambient_texture, &m.diffuse_texture, &m.specular_texture, &m.emission_texture, &m.alpha_texture}) {
             hash_.add(texels_of(*view));
             hash_.add(view->wrap);
             hash_.add(view->filter);
@@ -107,7 +107,8 @@ private:
         hash_.add(reflectance.index());
         const RuntimeModel model{reflectance};
         const Frame<float> frame{{0, 0, 1}, {0.6f, 0, 0.8f}, {1, 0, 0}, {0, 1, 0}};
-        for (const glm::vec3& l : {glm::vec3(0, 0, 1), {-0.48f, 0.36f, 0.8f}, {0.8f, 0, 0.6f}, {-0.8f, -0.36f, 0.48f}}) {
+        for (const glm::vec3& l :
+             {glm::vec3(0, 0, 1), {-0.48f, 0.36f, 0.8f}, {0.8f, 0, 0.6f}, {-0.8f, -0.36f, 0.48f}}) {
             const Reflectance<float> value = model.evaluate(frame, l);
             hash_.add(value.diffuse);
             hash_.add(value.specular);

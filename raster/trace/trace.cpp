@@ -14,7 +14,8 @@ class TraceWriter {
 public:
     TraceWriter(const TraceFilter& filter, std::string& out) : filter_(filter), out_(out) {
         for (std::size_t i = 0; i < trace_stages.size(); ++i)
-            wanted_[i] = filter.stages.empty() || std::ranges::find(filter.stages, trace_stages[i]) != filter.stages.end();
+            wanted_[i] =
+                filter.stages.empty() || std::ranges::find(filter.stages, trace_stages[i]) != filter.stages.end();
     }
 
     WatchedPixels watched_pixels() const {

@@ -12,16 +12,15 @@
 namespace raster {
 
 /// The stages by which a trace can be filtered, in their order. clip stands for the lines `clip` and `clip_plane`.
-inline constexpr std::array<std::string_view, 11> trace_stages = {"vertex",   "assemble", "clip",        "project",
-                                                                  "cull",     "setup",    "coverage",    "depth",
-                                                                  "interpolate", "fragment", "blend"};
+inline constexpr std::array<std::string_view, 11> trace_stages = {
+    "vertex", "assemble", "clip", "project", "cull", "setup", "coverage", "depth", "interpolate", "fragment", "blend"};
 
 /// What goes into a trace. The picture's own draws are run whatever is left out.
 struct TraceFilter {
     /// Only these pixels, and only triangles whose box reaches one of them.
     std::optional<PixelBox> pixels;
-    std::vector<std::int64_t> triangles;         ///< only these, by number in the model from 0; empty is all
-    std::vector<std::string_view> stages;        ///< only these; empty is all
+    std::vector<std::int64_t> triangles;           ///< only these, by number in the model from 0; empty is all
+    std::vector<std::string_view> stages;          ///< only these; empty is all
     std::size_t max_bytes = std::size_t(1) << 30;  ///< a longer trace is an error
 };
 
