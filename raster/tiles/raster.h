@@ -70,7 +70,7 @@ public:
         }
         if (tile_.whole) split_tile(tile_);
         if (t.x1 - t.x0 < 2 * block_size && t.y1 - t.y0 < 2 * block_size) {
-            draw_cells(t);
+            draw_small(t);
         } else {
             for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
                 for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) draw_block(t, bx, by);
@@ -113,44 +113,56 @@ private:
         return value_at(DepthPlane<FloatN>{{t.depth.origin, t.depth.dadx, t.depth.dady}, t.depth.offset}, px, py);
     }
 
-    /// Small triangles: every cell of the box.
-    void draw_cells(const TileTriangle& t) {
-        const int left = t.x0 & ~(cell_width - 1), top = t.y0 & ~(cell_height - 1);
+    /// Small triangles: every pixel of the box, in packs as wide or as high as suits it.
+    void draw_small(const TileTriangle& t) {
+        const int bx0 = t.x0 / block_size, bx1 = t.x1 / block_size, by0 = t.y0 / block_size, by1 = t.y1 / block_size;
         bool hidden = true;
-        for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
-            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx)
+        for (int by = by0; by <= by1; ++by)
+            for (int bx = bx0; bx <= bx1; ++bx)
                 hidden = hidden && none_passes(depth_.compare, t.range, tile_.range[by * blocks_per_row + bx]);
         if (hidden) return;
-        for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
-            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) touch(by * blocks_per_row + bx, t.range);
+        for (int by = by0; by <= by1; ++by)
+            for (int bx = bx0; bx <= bx1; ++bx) touch(by * blocks_per_row + bx, t.range);
+        if (t.x1 - t.x0 < CellShape::width) {
+            draw_packs<CellShape>(t);
+        } else {
+            draw_packs<RowShape>(t);
+        }
+    }
 
-        const IntN x = IntN(left) + cell_x(), y = IntN(top) + cell_y();
-        IntN row[3];
-        for (std::size_t i = 0; i < 3; ++i)
-            row[i] = IntN(t.edges[i].origin) + IntN(t.edges[i].step_x) * x + IntN(t.edges[i].step_y) * y;
-        FloatN py = to_float(IntN(tile_.y) + y);
-        const FloatN px0 = to_float(IntN(tile_.x) + x);
-        for (int cy = top; cy <= t.y1; cy += cell_height) {
-            IntN e[3] = {row[0], row[1], row[2]};
-            FloatN px = px0;
-            for (int cx = left; cx <= t.x1; cx += cell_width) {
-                const MaskN covered = inside(e[0], e[1], e[2]);
+    template <class Shape>
+    void draw_packs(const TileTriangle& t) {
+        // Packs begin at the box, and before it only where they would leave the tile.
+        const int wide = (t.x1 - t.x0) / Shape::width + 1, high = (t.y1 - t.y0) / Shape::height + 1;
+        const int left = std::min(t.x0, tile_size - wide * Shape::width), top = std::min(t.y0, tile_size - high * Shape::height);
+        for (int column = 0; column < wide; ++column) {
+            IntN x = IntN(left + column * Shape::width) + Shape::x(), y = IntN(top) + Shape::y();
+            IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y), e2 = edge_in_tile(t.edges[2], x, y);
+            const IntN down0(Shape::height * t.edges[0].step_y), down1(Shape::height * t.edges[1].step_y),
+                down2(Shape::height * t.edges[2].step_y);
+            Column<FloatN> z = column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
+            FloatN py = to_float(IntN(tile_.y) + y);
+            int i = top * tile_size + left + column * Shape::width;
+            for (int row = 0; row < high; ++row) {
+                MaskN covered = inside(e0, e1, e2);
                 if (any(covered)) {
-                    const int i = cy * tile_size + cx;
-                    const IntN incoming_depth = encode_depth(depth_.format, depth_at(t, px, py));
-                    const IntN stored = load_cell<native_lanes>(tile_.depth + i);
-                    const MaskN passed = covered & depth_passes(depth_.compare, incoming_depth, stored);
+                    IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + FloatN(t.depth.offset));
+                    IntN stored = Shape::load(tile_.depth + i);
+                    MaskN passed = covered & depth_passes(depth_.compare, incoming_depth, stored);
                     if (any(passed)) {
-                        if (depth_.write) store_cell(tile_.depth + i, select(passed, incoming_depth, stored));
-                        sink_.cell(i, passed);
+                        if (depth_.write) Shape::store(tile_.depth + i, select(passed, incoming_depth, stored));
+                        sink_.template pack<Shape>(i, passed);
                     }
                 }
-                for (std::size_t k = 0; k < 3; ++k) e[k] = e[k] + IntN(cell_width * t.edges[k].step_x);
-                px = px + FloatN(float(cell_width));
+                e0 = e0 + down0, e1 = e1 + down1, e2 = e2 + down2;
+                py = py + FloatN(float(Shape::height));
+                i += Shape::height * tile_size;
             }
-            for (std::size_t k = 0; k < 3; ++k) row[k] = row[k] + IntN(cell_height * t.edges[k].step_y);
-            py = py + FloatN(float(cell_height));
         }
+    }
+
+    static IntN edge_in_tile(const TileEdge& e, IntN x, IntN y) {
+        return IntN(e.origin) + IntN(e.step_x) * x + IntN(e.step_y) * y;
     }
 
     /// Keeps the ranges true when some of a block's pixels change.
@@ -210,7 +222,7 @@ private:
                 passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
                 if (!any(passed)) continue;
                 if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-                sink_.row(i, passed);
+                sink_.template pack<RowShape>(i, passed);
             }
     }
 

@@ -19,7 +19,7 @@ struct TileEdge {
 struct TileTriangle {
     std::array<TileEdge, 3> edges;
     DepthPlane<float> depth;
-    DepthRange range;    ///< of the depths in its box, cells that it touches included
+    DepthRange range;    ///< of the depths in its box
     int x0, y0, x1, y1;  ///< its pixels in the tile, ends included; none when x0 > x1
     std::uint32_t entry;
     bool front_facing;
@@ -49,8 +49,7 @@ inline TileTriangle place_large(const LargeTriangle& large, DepthFormat format, 
         t.edges[i] = crosses ? TileEdge{std::int32_t(origin), e.step_x, e.step_y} : TileEdge{0, 0, 0};
         t.covers_tile = t.covers_tile && low >= 0;
     }
-    t.range = depth_range(format, t.depth, tile_x + (t.x0 & ~(cell_width - 1)), tile_y + (t.y0 & ~(cell_height - 1)),
-                          tile_x + (t.x1 | (cell_width - 1)), tile_y + (t.y1 | (cell_height - 1)));
+    t.range = depth_range(format, t.depth, tile_x + t.x0, tile_y + t.y0, tile_x + t.x1, tile_y + t.y1);
     return t;
 }
 
@@ -105,10 +104,8 @@ inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& pl
     r.x1 = min(box.last_x(), IntN(std::min(tile_size, width - tile_x) - 1));
     r.y1 = min(box.last_y(), IntN(std::min(tile_size, height - tile_y) - 1));
     const auto absolute = [](int tile, IntN i) { return to_float(IntN(tile) + i); };
-    const auto [low, high] =
-        depth_extremes(format, r.depth, absolute(tile_x, r.x0 & IntN(~(cell_width - 1))),
-                       absolute(tile_y, r.y0 & IntN(~(cell_height - 1))), absolute(tile_x, r.x1 | IntN(cell_width - 1)),
-                       absolute(tile_y, r.y1 | IntN(cell_height - 1)));
+    const auto [low, high] = depth_extremes(format, r.depth, absolute(tile_x, r.x0), absolute(tile_y, r.y0),
+                                            absolute(tile_x, r.x1), absolute(tile_y, r.y1));
     r.range_min = low, r.range_max = high;
 
     const IntN columns = r.x1 - r.x0, rows = r.y1 - r.y0;
