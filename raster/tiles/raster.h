@@ -28,24 +28,31 @@ class SlotMaker {
 public:
     explicit SlotMaker(TileBuffer& tile) : tile_(tile) {}
 
-    void begin(const DepthPlane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
-        current_ = {depth, chunk, entry, front_facing};
+    /// `triangle` outlives all that is said about it, up to end().
+    void begin(const TileTriangle& triangle, std::uint32_t chunk) {
+        triangle_ = &triangle;
+        chunk_ = chunk;
         slot_ = 0;
     }
     std::int32_t slot() {
         if (slot_ == 0) {
             slot_ = std::int32_t(tile_.slots.size());
-            tile_.slots.push_back(current_);
+            Slot& made = tile_.slots.emplace_back();
+            made.depth = triangle_->depth;
+            made.chunk = chunk_;
+            made.entry = triangle_->entry;
+            made.front_facing = triangle_->front_facing;
         }
         return slot_;
     }
-    const Slot& current() const { return current_; }
+    Slot current() const { return {triangle_->depth, chunk_, triangle_->entry, triangle_->front_facing}; }
 
 protected:
     TileBuffer& tile_;
 
 private:
-    Slot current_{};
+    const TileTriangle* triangle_ = nullptr;
+    std::uint32_t chunk_ = 0;
     std::int32_t slot_ = 0;
 };
 
@@ -57,7 +64,7 @@ public:
 
     void draw(const TileTriangle& t, std::uint32_t chunk) {
         if (t.x0 > t.x1 || t.y0 > t.y1 || none_passes(depth_.compare, t.range, tile_.whole_range)) return;
-        sink_.begin(t.depth, t.front_facing, t.entry, chunk);
+        sink_.begin(t, chunk);
         if (t.covers_tile && depth_.write && Sink::remembers) {
             const DepthRange incoming = depth_range(depth_.format, t.depth, tile_.x, tile_.y, tile_.x + tile_size - 1,
                                                     tile_.y + tile_size - 1);
@@ -84,6 +91,7 @@ public:
         if (none_passes(depth_.compare, incoming, tile_.whole_range)) return;
         if (tile_.whole) split_tile(tile_);
         bool begun = false;
+        TileTriangle t;
         for (std::uint32_t rest = std::uint32_t(pack.covered.v[lane]); rest; rest &= rest - 1) {
             const int k = std::countr_zero(rest);
             const int x = pack.x0.v[lane] + (k & 1), y = pack.y0.v[lane] + (k >> 1);
@@ -95,8 +103,8 @@ public:
             const std::int32_t depth = pack.dot_depth[std::size_t(k)].v[lane];
             if (!depth_passes(depth_.compare, depth, tile_.depth[i])) continue;
             if (!begun) {
-                const TileTriangle t = pack.at(lane);
-                sink_.begin(t.depth, t.front_facing, entry, chunk);
+                t = pack.at(lane, entry);
+                sink_.begin(t, chunk);
                 begun = true;
             }
             note_write(block, incoming);
@@ -236,11 +244,13 @@ template <class Depth, class Sink>
 inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
                         TileBuffer& tile, const Depth& depth, Sink& sink) {
     TileRaster<Depth, Sink> raster(tile, depth, sink);
+    PackSetup pack;
     for (std::uint32_t c = 0; c < chunks.size(); ++c) {
         const std::uint32_t* entry = chunks[c].entries.data() + chunks[c].offsets[tile_index];
         const std::uint32_t* end = chunks[c].entries.data() + chunks[c].offsets[tile_index + 1];
         for (; entry < end; entry += native_lanes) {
             const int count = int(std::min<std::ptrdiff_t>(end - entry, native_lanes));
+            draw.prefetch(entry + native_lanes, end);
             std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
             std::uint32_t large = 0;
             for (int lane = 0; lane < count; ++lane) {
@@ -251,9 +261,8 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
                     for (std::size_t k = 0; k < 3; ++k) places[k].v[lane] = std::int32_t(v[k] - draw.first_vertex);
                 }
             }
-            PackSetup pack;
             if (large != (1u << count) - 1)
-                pack = set_up_pack(&draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
+                set_up_pack(pack, &draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
             for (int lane = 0; lane < count; ++lane) {
                 if (large >> lane & 1) {
                     TileTriangle t = place_large(chunks[c].large[entry[lane] & ~large_bit], depth.format, tile.x, tile.y);
@@ -262,9 +271,7 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
                 } else if (pack.dots >> lane & 1) {
                     raster.draw_dots(pack, lane, entry[lane], c);
                 } else {
-                    TileTriangle t = pack.at(lane);
-                    t.entry = entry[lane];
-                    raster.draw(t, c);
+                    raster.draw(pack.at(lane, entry[lane]), c);
                 }
             }
         }

@@ -67,8 +67,9 @@ struct PackSetup {
     IntN covered;                   ///< bit 0: pixel (x0, y0), bit 1: one to the right, bits 2 and 3: the row below
     std::array<IntN, 4> dot_depth;  ///< encoded, of those pixels
 
-    TileTriangle at(int lane) const {
+    TileTriangle at(int lane, std::uint32_t entry) const {
         TileTriangle t;
+        t.entry = entry;
         for (std::size_t i = 0; i < 3; ++i)
             t.edges[i] = {origins[i].v[lane], edges[i].step_x.v[lane], edges[i].step_y.v[lane]};
         t.depth = {{depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]}, depth.offset.v[lane]};
@@ -80,9 +81,8 @@ struct PackSetup {
     }
 };
 
-inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& places, const State& state, DepthFormat format,
-                             int tile_x, int tile_y, int width, int height) {
-    PackSetup r;
+inline void set_up_pack(PackSetup& r, const float* windows, const std::array<IntN, 3>& places, const State& state,
+                        DepthFormat format, int tile_x, int tile_y, int width, int height) {
     std::array<WindowVertex<FloatN>, 3> v;
     std::array<SubpixelVertex<FloatN>, 3> s;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -117,7 +117,6 @@ inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& pl
             r.dot_depth[std::size_t(k)] =
                 encode_depth(format, value_at(r.depth, px + FloatN(float(k & 1)), py + FloatN(float(k >> 1))));
     }
-    return r;
 }
 
 }  // namespace raster::tiles
