@@ -15,102 +15,13 @@
 
 #include <glm/glm.hpp>
 
-#include <raster/config.h>
+#include <raster/lanes_storage.h>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
 namespace raster {
-
-// ---------------------------------------------------------------------------------------------- storage
-
-#if defined(__GNUC__) && !defined(RASTER_NO_VECTOR_EXTENSIONS)
-#define RASTER_VECTOR_EXTENSIONS 1
-#endif
-
-namespace detail {
-
-#if RASTER_VECTOR_EXTENSIONS
-template <class T, int N>
-struct VectorOf {
-    typedef T type __attribute__((vector_size(sizeof(T) * N)));
-};
-template <class T, int N>
-using Vector = typename VectorOf<T, N>::type;
-#else
-// The same operators in standard C++, for compilers without vector extensions.
-template <class T, int N>
-struct Vector {
-    T lane[N];
-    T& operator[](int i) { return lane[i]; }
-    const T& operator[](int i) const { return lane[i]; }
-#define RASTER_LANE_OPERATOR(op)                                      \
-    friend Vector operator op(const Vector& a, const Vector& b) {     \
-        Vector r;                                                     \
-        for (int i = 0; i < N; ++i) r.lane[i] = T(a.lane[i] op b.lane[i]); \
-        return r;                                                     \
-    }
-    RASTER_LANE_OPERATOR(+)
-    RASTER_LANE_OPERATOR(-)
-    RASTER_LANE_OPERATOR(*)
-    RASTER_LANE_OPERATOR(/)
-    RASTER_LANE_OPERATOR(&)
-    RASTER_LANE_OPERATOR(|)
-    RASTER_LANE_OPERATOR(^)
-#undef RASTER_LANE_OPERATOR
-#define RASTER_LANE_COMPARISON(op)                                                 \
-    friend Vector<std::int32_t, N> operator op(const Vector& a, const Vector& b) { \
-        Vector<std::int32_t, N> r;                                                 \
-        for (int i = 0; i < N; ++i) r.lane[i] = a.lane[i] op b.lane[i] ? -1 : 0;   \
-        return r;                                                                  \
-    }
-    RASTER_LANE_COMPARISON(<)
-    RASTER_LANE_COMPARISON(<=)
-    RASTER_LANE_COMPARISON(>)
-    RASTER_LANE_COMPARISON(>=)
-    RASTER_LANE_COMPARISON(==)
-    RASTER_LANE_COMPARISON(!=)
-#undef RASTER_LANE_COMPARISON
-    friend Vector operator-(const Vector& a) {
-        Vector r;
-        for (int i = 0; i < N; ++i) r.lane[i] = -a.lane[i];
-        return r;
-    }
-    friend Vector operator~(const Vector& a) {
-        Vector r;
-        for (int i = 0; i < N; ++i) r.lane[i] = ~a.lane[i];
-        return r;
-    }
-    friend Vector operator<<(const Vector& a, int n) {
-        Vector r;
-        for (int i = 0; i < N; ++i) r.lane[i] = T(std::uint32_t(a.lane[i]) << n);
-        return r;
-    }
-    friend Vector operator>>(const Vector& a, int n) {
-        Vector r;
-        for (int i = 0; i < N; ++i) r.lane[i] = a.lane[i] >> n;
-        return r;
-    }
-};
-#endif
-
-template <class V, class T>
-inline V splat(T value) {
-    V v{};
-    for (std::size_t i = 0; i < sizeof(V) / sizeof(T); ++i) v[int(i)] = value;
-    return v;
-}
-
-template <class To, class From>
-inline To bits(const From& from) {
-    static_assert(sizeof(To) == sizeof(From));
-    To to;
-    std::memcpy(&to, &from, sizeof to);
-    return to;
-}
-
-}  // namespace detail
 
 // ------------------------------------------------------------------------------------------ the three packs
 
@@ -219,12 +130,29 @@ inline constexpr int lanes = detail::Companions<F>::lanes;
 using FloatN = FloatPack<native_lanes>;
 using IntN = IntPack<native_lanes>;
 using MaskN = MaskPack<native_lanes>;
+/// Twice that, for work that is bound by the wait for its own results.
+using FloatPair = FloatPack<2 * native_lanes>;
 
 /// GLM's vector and matrix over F.
 template <int L, class F>
 using vec = glm::vec<L, F, glm::defaultp>;
 template <int C, int R, class F>
 using mat = glm::mat<C, R, F, glm::defaultp>;
+
+namespace detail {
+template <int N>
+FloatPack<N / 2> half(FloatPack<N> x, int i) { return x.v.half[i]; }
+template <int N>
+IntPack<N / 2> half(IntPack<N> x, int i) { return x.v.half[i]; }
+template <int N>
+MaskPack<N / 2> half(MaskPack<N> x, int i) { return x.v.half[i]; }
+
+/// A function of packs, for pairs: on one half, then on the other. R is the result's pack.
+template <class R, class Function, class... Pack>
+inline R by_halves(const Function& function, Pack... packs) {
+    return R(decltype(R::v){function(half(packs, 0)...).v, function(half(packs, 1)...).v});
+}
+}  // namespace detail
 
 // ------------------------------------------------------------------------------------------------ choosing
 
@@ -234,6 +162,9 @@ inline std::int64_t select(bool m, std::int64_t a, std::int64_t b) { return m ? 
 /// Lane by lane: a where m is true, else b.
 template <int N>
 inline IntPack<N> select(MaskPack<N> m, std::type_identity_t<IntPack<N>> a, std::type_identity_t<IntPack<N>> b) {
+    if constexpr (detail::is_pair<N>)
+        return detail::by_halves<IntPack<N>>([](auto m, auto a, auto b) { return select(m, a, b); }, m, a, b);
+    else
 #if RASTER_VECTOR_EXTENSIONS
     return m.v ? a.v : b.v;
 #else
@@ -242,6 +173,9 @@ inline IntPack<N> select(MaskPack<N> m, std::type_identity_t<IntPack<N>> a, std:
 }
 template <int N>
 inline FloatPack<N> select(MaskPack<N> m, std::type_identity_t<FloatPack<N>> a, std::type_identity_t<FloatPack<N>> b) {
+    if constexpr (detail::is_pair<N>)
+        return detail::by_halves<FloatPack<N>>([](auto m, auto a, auto b) { return select(m, a, b); }, m, a, b);
+    else {
 #if RASTER_VECTOR_EXTENSIONS
     return m.v ? a.v : b.v;
 #else
@@ -249,6 +183,7 @@ inline FloatPack<N> select(MaskPack<N> m, std::type_identity_t<FloatPack<N>> a, 
     return detail::bits<typename FloatPack<N>::V>(
         select(m, IntPack<N>(detail::bits<I>(a.v)), IntPack<N>(detail::bits<I>(b.v))).v);
 #endif
+    }
 }
 template <int L, class F>
 inline vec<L, F> select(Mask<F> m, const vec<L, F>& a, const vec<L, F>& b) {
@@ -263,6 +198,7 @@ inline std::uint32_t bitmask(bool m) { return m ? 1 : 0; }
 /// One bit a lane, lane 0 in bit 0.
 template <int N>
 inline std::uint32_t bitmask(MaskPack<N> m) {
+    if constexpr (detail::is_pair<N>) return bitmask(detail::half(m, 0)) | bitmask(detail::half(m, 1)) << (N / 2);
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
     if constexpr (N == 8) return std::uint32_t(_mm256_movemask_ps(detail::bits<__m256>(m.v)));
 #endif
@@ -278,13 +214,46 @@ inline bool any(MaskPack<N> m) { return bitmask(m) != 0; }
 template <int N>
 inline bool all(MaskPack<N> m) { return bitmask(m) == (N == 32 ? ~0u : (1u << (N & 31)) - 1u); }
 
-/// min and max as one comparison, so that NaN and -0 give the same everywhere: min(a, b) is `a < b ? a : b`.
+/// The mask whose bitmask is `bits`.
+template <class F>
+inline Mask<F> mask_of_bits(std::uint32_t bits) {
+    if constexpr (lanes<F> == 1) {
+        return bits & 1;
+    } else {
+        Int<F> lane_bits;
+        for (int i = 0; i < lanes<F>; ++i) lane_bits.v[i] = 1 << i;
+        return (Int<F>(bits) & lane_bits) != Int<F>(0);
+    }
+}
+
+/// min and max as one comparison, so that NaN and -0 give the same everywhere: min(a, b) is `a < b ? a : b`. The
+/// instructions of x86 are defined so, too.
 template <class F>
     requires requires { typename detail::Companions<F>::Int; }
-inline F min(F a, std::type_identity_t<F> b) { return select(a < b, a, b); }
+inline F min(F a, std::type_identity_t<F> b) {
+    if constexpr (detail::is_pair<lanes<F>>)
+        return detail::by_halves<F>([](auto a, auto b) { return min(a, b); }, a, b);
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (lanes<F> == 8) return detail::bits<typename F::V>(_mm256_min_ps(detail::bits<__m256>(a.v), detail::bits<__m256>(b.v)));
+#endif
+#if defined(__SSE2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (lanes<F> == 4) return detail::bits<typename F::V>(_mm_min_ps(detail::bits<__m128>(a.v), detail::bits<__m128>(b.v)));
+#endif
+    return select(a < b, a, b);
+}
 template <class F>
     requires requires { typename detail::Companions<F>::Int; }
-inline F max(F a, std::type_identity_t<F> b) { return select(a > b, a, b); }
+inline F max(F a, std::type_identity_t<F> b) {
+    if constexpr (detail::is_pair<lanes<F>>)
+        return detail::by_halves<F>([](auto a, auto b) { return max(a, b); }, a, b);
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (lanes<F> == 8) return detail::bits<typename F::V>(_mm256_max_ps(detail::bits<__m256>(a.v), detail::bits<__m256>(b.v)));
+#endif
+#if defined(__SSE2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (lanes<F> == 4) return detail::bits<typename F::V>(_mm_max_ps(detail::bits<__m128>(a.v), detail::bits<__m128>(b.v)));
+#endif
+    return select(a > b, a, b);
+}
 template <int N>
 inline IntPack<N> min(IntPack<N> a, IntPack<N> b) { return select(a < b, a, b); }
 template <int N>
@@ -298,6 +267,7 @@ inline F clamp(F x, std::type_identity_t<F> low, std::type_identity_t<F> high) {
 inline float sqrt(float x) { return std::sqrt(x); }
 template <int N>
 inline FloatPack<N> sqrt(FloatPack<N> x) {
+    if constexpr (detail::is_pair<N>) return detail::by_halves<FloatPack<N>>([](auto x) { return sqrt(x); }, x);
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
     if constexpr (N == 8) return detail::bits<typename FloatPack<N>::V>(_mm256_sqrt_ps(detail::bits<__m256>(x.v)));
 #endif
@@ -327,26 +297,34 @@ inline FloatPack<N> as_float(IntPack<N> x) { return detail::bits<typename FloatP
 inline float to_float(std::int32_t x) { return float(x); }
 template <int N>
 inline FloatPack<N> to_float(IntPack<N> x) {
+    if constexpr (detail::is_pair<N>)
+        return detail::by_halves<FloatPack<N>>([](auto x) { return to_float(x); }, x);
+    else {
 #if RASTER_VECTOR_EXTENSIONS
-    return __builtin_convertvector(x.v, typename FloatPack<N>::V);
+        return __builtin_convertvector(x.v, typename FloatPack<N>::V);
 #else
-    FloatPack<N> r;
-    for (int i = 0; i < N; ++i) r.v[i] = float(x.v[i]);
-    return r;
+        FloatPack<N> r;
+        for (int i = 0; i < N; ++i) r.v[i] = float(x.v[i]);
+        return r;
 #endif
+    }
 }
 
 /// Toward zero. |x| < 2^31 in every lane, dead lanes included: the caller clamps.
 inline std::int32_t truncate_to_int(float x) { return std::int32_t(x); }
 template <int N>
 inline IntPack<N> truncate_to_int(FloatPack<N> x) {
+    if constexpr (detail::is_pair<N>)
+        return detail::by_halves<IntPack<N>>([](auto x) { return truncate_to_int(x); }, x);
+    else {
 #if RASTER_VECTOR_EXTENSIONS
-    return __builtin_convertvector(x.v, detail::Vector<std::int32_t, N>);
+        return __builtin_convertvector(x.v, detail::Vector<std::int32_t, N>);
 #else
-    IntPack<N> r;
-    for (int i = 0; i < N; ++i) r.v[i] = std::int32_t(x.v[i]);
-    return r;
+        IntPack<N> r;
+        for (int i = 0; i < N; ++i) r.v[i] = std::int32_t(x.v[i]);
+        return r;
 #endif
+    }
 }
 
 /// To the nearest integer, halves to even (IEEE 754, 4.3.1). |x| < 2^31 in every lane: the caller clamps.
@@ -359,6 +337,7 @@ inline std::int32_t round_to_int(float x) {
 }
 template <int N>
 inline IntPack<N> round_to_int(FloatPack<N> x) {
+    if constexpr (detail::is_pair<N>) return detail::by_halves<IntPack<N>>([](auto x) { return round_to_int(x); }, x);
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
     if constexpr (N == 8) return detail::bits<typename IntPack<N>::V>(_mm256_cvtps_epi32(detail::bits<__m256>(x.v)));
 #endif
@@ -380,108 +359,6 @@ inline Int<F> floor_to_int(F x) {
 template <class F>
     requires requires { typename detail::Companions<F>::Int; }
 inline F floor(F x) { return to_float(floor_to_int(x)); }
-
-// ------------------------------------------------------------------------------------------ memory and lanes
-
-/// One lane of a pack, as a scalar.
-inline float lane(float x, int) { return x; }
-inline std::int32_t lane(std::int32_t x, int) { return x; }
-inline bool lane(bool x, int) { return x; }
-template <int N>
-inline float lane(FloatPack<N> x, int i) { return x.v[i]; }
-template <int N>
-inline std::int32_t lane(IntPack<N> x, int i) { return x.v[i]; }
-template <int N>
-inline bool lane(MaskPack<N> x, int i) { return x.v[i] != 0; }
-
-/// 0, 1, 2, ... in the lanes.
-template <class F>
-inline Int<F> lane_index() {
-    if constexpr (lanes<F> == 1) {
-        return 0;
-    } else {
-        Int<F> r;
-        for (int i = 0; i < lanes<F>; ++i) r.v[i] = i;
-        return r;
-    }
-}
-
-/// lanes<F> consecutive values from memory, and back. No alignment is asked.
-template <class F>
-inline F load(const float* p) {
-    if constexpr (lanes<F> == 1) {
-        return *p;
-    } else {
-        F r;
-        std::memcpy(&r.v, p, sizeof r.v);
-        return r;
-    }
-}
-template <class F>
-inline Int<F> load_int(const void* p) {
-    Int<F> r;
-    std::memcpy(&r, p, sizeof r);
-    return r;
-}
-inline void store(float* p, float x) { *p = x; }
-template <int N>
-inline void store(float* p, FloatPack<N> x) { std::memcpy(p, &x.v, sizeof x.v); }
-inline void store_int(void* p, std::int32_t x) { std::memcpy(p, &x, sizeof x); }
-template <int N>
-inline void store_int(void* p, IntPack<N> x) { std::memcpy(p, &x.v, sizeof x.v); }
-
-/// base[index] in each lane. Every index is in range, dead lanes included: the caller clamps.
-inline float gather(const float* base, std::int32_t index) { return base[index]; }
-inline std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
-template <int N>
-inline FloatPack<N> gather(const float* base, IntPack<N> index) {
-    FloatPack<N> r;
-    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
-    return r;
-}
-template <int N>
-inline IntPack<N> gather(const std::int32_t* base, IntPack<N> index) {
-#if defined(__AVX2__) && RASTER_VECTOR_EXTENSIONS
-    if constexpr (N == 8) {
-        return detail::bits<detail::Vector<std::int32_t, N>>(
-            _mm256_i32gather_epi32(base, detail::bits<__m256i>(index.v), 4));
-    }
-#endif
-    IntPack<N> r;
-    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
-    return r;
-}
-
-/// Four consecutive floats at base + 4 * index in each lane, transposed: record i's four floats end in lane i of a, b, c, d.
-inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d) {
-    const float* p = base + 4 * std::ptrdiff_t(index);
-    a = p[0], b = p[1], c = p[2], d = p[3];
-}
-template <int N>
-inline void gather4(const float* base, IntPack<N> index, FloatPack<N>& a, FloatPack<N>& b, FloatPack<N>& c,
-                    FloatPack<N>& d) {
-    const auto record = [&](int i) { return base + 4 * std::ptrdiff_t(std::uint32_t(index.v[i])); };
-#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
-    if constexpr (N == 8) {
-        const auto two = [&](int i) {
-            return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(record(i))), _mm_loadu_ps(record(i + 4)), 1);
-        };
-        const __m256 r0 = two(0), r1 = two(1), r2 = two(2), r3 = two(3);
-        const __m256 t0 = _mm256_unpacklo_ps(r0, r1), t1 = _mm256_unpackhi_ps(r0, r1);
-        const __m256 t2 = _mm256_unpacklo_ps(r2, r3), t3 = _mm256_unpackhi_ps(r2, r3);
-        using V = typename FloatPack<N>::V;
-        a.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0x44));
-        b.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0xee));
-        c.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0x44));
-        d.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0xee));
-        return;
-    }
-#endif
-    for (int i = 0; i < N; ++i) {
-        const float* p = record(i);
-        a.v[i] = p[0], b.v[i] = p[1], c.v[i] = p[2], d.v[i] = p[3];
-    }
-}
 
 // -------------------------------------------------------------------------- GLM where it needs a little help
 
@@ -518,3 +395,5 @@ inline F dot0(const vec<L, F>& a, const vec<L, F>& b) { return max(glm::dot(a, b
 /// GLM asserts that a vector's component is an IEC 559 type; each lane of a FloatPack is.
 template <int N>
 struct std::numeric_limits<raster::FloatPack<N>> : std::numeric_limits<float> {};
+
+#include <raster/lanes_memory.h>

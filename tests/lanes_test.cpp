@@ -100,7 +100,7 @@ protected:
     Random random{42};
 };
 
-using Packs = ::testing::Types<FloatPack<4>, FloatPack<8>>;
+using Packs = ::testing::Types<FloatPack<4>, FloatPack<8>, FloatPack<16>>;
 TYPED_TEST_SUITE(Lanes, Packs);
 
 #define BOTH(expression) [](auto a, [[maybe_unused]] auto b) { return expression; }

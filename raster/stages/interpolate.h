@@ -32,19 +32,47 @@ inline VaryingPlanes<S, F> make_varying_planes(const PlaneBasis<F>& basis,
     return r;
 }
 
-/// The varyings at the centre of pixel (px, py).
+/// The same planes along one column of pixels.
 template <Shader S, class F>
-inline VaryingArray<S, F> interpolate(const VaryingPlanes<S, F>& p, F px, F py) {
+struct VaryingColumns {
+    std::array<Column<F>, std::size_t(varying_count<S>)> columns;
+    Column<F> oow;
+};
+
+/// The column at px, of planes of a triangle a lane, or of one triangle for all lanes.
+template <Shader S, class F, class P>
+inline VaryingColumns<S, F> columns_at(const VaryingPlanes<S, P>& p, F px) {
+    const auto widen = [](const Plane<P>& plane) { return Plane<F>{plane.origin, plane.dadx, plane.dady}; };
+    VaryingColumns<S, F> r;
+    r.oow = column_at(widen(p.oow), px);
+    for (std::size_t i = 0; i < std::size_t(varying_count<S>); ++i) {
+        // A flat value stays as it is: 0 px + (-0) would be +0.
+        const bool flat = interpolation_of<S>(int(i)) == Interpolation::flat;
+        r.columns[i] = flat ? Column<F>{F(p.planes[i].origin), F(0)} : column_at(widen(p.planes[i]), px);
+    }
+    return r;
+}
+
+/// The varyings of the column's pixel in row py, 1/w there given.
+template <Shader S, class F>
+inline VaryingArray<S, F> interpolate(const VaryingColumns<S, F>& p, F py, F oow) {
     VaryingArray<S, F> r;
-    const F w = F(1) / value_at(p.oow, px, py);
+    const F w = F(1) / oow;
     for (std::size_t i = 0; i < std::size_t(varying_count<S>); ++i) {
         switch (interpolation_of<S>(int(i))) {
-            case Interpolation::smooth: r[i] = value_at(p.planes[i], px, py) * w; break;
-            case Interpolation::noperspective: r[i] = value_at(p.planes[i], px, py); break;
-            case Interpolation::flat: r[i] = p.planes[i].origin; break;
+            case Interpolation::smooth: r[i] = value_at(p.columns[i], py) * w; break;
+            case Interpolation::noperspective: r[i] = value_at(p.columns[i], py); break;
+            case Interpolation::flat: r[i] = p.columns[i].start; break;
         }
     }
     return r;
+}
+
+/// The varyings at the centre of pixel (px, py).
+template <Shader S, class F, class P>
+inline VaryingArray<S, F> interpolate(const VaryingPlanes<S, P>& p, F px, F py) {
+    const auto columns = columns_at<S, F>(p, px);
+    return interpolate<S, F>(columns, py, value_at(columns.oow, py));
 }
 
 }  // namespace raster

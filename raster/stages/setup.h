@@ -69,11 +69,25 @@ inline Plane<F> make_plane(const PlaneBasis<F>& b, F a0, F a1, F a2) {
     return {a0 - (dadx * b.x0 + dady * b.y0), dadx, dady};
 }
 
+/// A plane along one column of pixels: what value_at has left to do for each row.
+template <class F>
+struct Column {
+    F start, dady;
+};
+template <class F>
+inline Column<F> column_at(const Plane<F>& p, F px) {
+    return {(p.dadx * px) + p.origin, p.dady};
+}
+template <class F>
+inline F value_at(const Column<F>& c, F py) {
+    return (c.dady * py) + c.start;
+}
+
 /// The value of a plane at the centre of pixel (px, py), given as floats. A closed form: no value depends on where a
 /// loop began, so any split into tiles, lanes and threads gives the same bits.
 template <class F>
 inline F value_at(const Plane<F>& p, F px, F py) {
-    return (p.dady * py) + ((p.dadx * px) + p.origin);
+    return value_at(column_at(p, px), py);
 }
 
 /// The plane of a triangle's depth, and what is added after it.

@@ -65,6 +65,22 @@ struct DrawContext {
     /// Whether the vertex was shaded; numbers below the first wrap to large ones.
     bool exists(std::uint32_t vertex) const { return vertex - first_vertex < window.size(); }
 
+    /// Asks for the memory of entries to come: positions of the next few, indices of those after them.
+    void prefetch(const std::uint32_t* entry, const std::uint32_t* end) const {
+#if defined(__GNUC__)
+        if (indices.empty() || state.topology != Topology::triangles) return;
+        for (int i = 0; i < native_lanes; ++i) {
+            if (entry + i + 2 * native_lanes < end && !(entry[i + 2 * native_lanes] & large_bit))
+                __builtin_prefetch(indices.data() + 3 * std::size_t(entry[i + 2 * native_lanes]));
+            if (entry + i < end && !(entry[i] & large_bit))
+                for (int c = 0; c < 3; ++c) {
+                    const std::uint32_t* const p = indices.data() + 3 * std::size_t(entry[i]);
+                    __builtin_prefetch(&window[p[c] - first_vertex]);
+                }
+        }
+#endif
+    }
+
     /// Positions of the three corners of a bin's entry.
     std::array<WindowVertex<float>, 3> corner_windows(const ChunkBins& bins, std::uint32_t entry) const {
         if (entry & large_bit) return bins.large[entry & ~large_bit].window;

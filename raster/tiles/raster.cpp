@@ -16,13 +16,10 @@ public:
 
     using SlotMaker::SlotMaker;
 
-    void cell(int i, MaskN passed) {
+    template <class Shape>
+    void pack(int i, MaskN passed) {
         if constexpr (colors)
-            store_cell(tile_.slot + i, select(passed, IntN(slot()), load_cell<native_lanes>(tile_.slot + i)));
-    }
-    void row(int i, MaskN passed) {
-        if constexpr (colors)
-            store_int(tile_.slot + i, select(passed, IntN(slot()), load_int<FloatN>(tile_.slot + i)));
+            Shape::store(tile_.slot + i, select(passed, IntN(slot()), Shape::load(tile_.slot + i)));
     }
     void pixel(int i) {
         if constexpr (colors) tile_.slot[i] = slot();
@@ -38,11 +35,12 @@ public:
     BlendSink(TileBuffer& tile, const PixelBox& limits, TriangleShader& shader)
         : SlotMaker(tile), limits_(limits), shader_(shader) {}
 
-    void cell(int i, MaskN passed) {
+    template <class Shape>
+    void pack(int i, MaskN passed) {
         const std::uint32_t bits = bitmask(passed);
-        for (int row = 0; row < cell_height; ++row) add(i + row * tile_size, bits >> (row * cell_width) & 0xf);
+        for (int row = 0; row < Shape::height; ++row)
+            add(i + row * tile_size, bits >> (row * Shape::width) & ((1u << Shape::width) - 1));
     }
-    void row(int i, MaskN passed) { add(i, bitmask(passed)); }
     void pixel(int i) { add(i, 1); }
     /// All pixels of the block at (x, y) of the tile.
     void block(int x, int y) {
@@ -61,11 +59,16 @@ public:
     }
 
 private:
-    /// Neighbours in a row, the first at tile pixel i. They lie in one block.
+    /// At most 8 neighbours in a row, the first at tile pixel i.
     void add(int i, std::uint32_t bits) {
         const int x = i % tile_size, y = i / tile_size, b = y / block_size * blocks_per_row + x / block_size;
-        touched_ |= std::uint64_t(bits != 0) << b;
-        pixels_[b] |= std::uint64_t(bits) << (y % block_size * block_size + x % block_size);
+        const std::uint32_t here = bits << x % block_size & 0xff, beyond = bits >> (block_size - x % block_size);
+        touched_ |= std::uint64_t(here != 0) << b;
+        pixels_[b] |= std::uint64_t(here) << y % block_size * block_size;
+        if (beyond) {
+            touched_ |= std::uint64_t(1) << (b + 1);
+            pixels_[b + 1] |= std::uint64_t(beyond) << y % block_size * block_size;
+        }
     }
 
     const PixelBox& limits_;

@@ -28,24 +28,31 @@ class SlotMaker {
 public:
     explicit SlotMaker(TileBuffer& tile) : tile_(tile) {}
 
-    void begin(const DepthPlane<float>& depth, bool front_facing, std::uint32_t entry, std::uint32_t chunk) {
-        current_ = {depth, chunk, entry, front_facing};
+    /// `triangle` outlives all that is said about it, up to end().
+    void begin(const TileTriangle& triangle, std::uint32_t chunk) {
+        triangle_ = &triangle;
+        chunk_ = chunk;
         slot_ = 0;
     }
     std::int32_t slot() {
         if (slot_ == 0) {
             slot_ = std::int32_t(tile_.slots.size());
-            tile_.slots.push_back(current_);
+            Slot& made = tile_.slots.emplace_back();
+            made.depth = triangle_->depth;
+            made.chunk = chunk_;
+            made.entry = triangle_->entry;
+            made.front_facing = triangle_->front_facing;
         }
         return slot_;
     }
-    const Slot& current() const { return current_; }
+    Slot current() const { return {triangle_->depth, chunk_, triangle_->entry, triangle_->front_facing}; }
 
 protected:
     TileBuffer& tile_;
 
 private:
-    Slot current_{};
+    const TileTriangle* triangle_ = nullptr;
+    std::uint32_t chunk_ = 0;
     std::int32_t slot_ = 0;
 };
 
@@ -57,7 +64,7 @@ public:
 
     void draw(const TileTriangle& t, std::uint32_t chunk) {
         if (t.x0 > t.x1 || t.y0 > t.y1 || none_passes(depth_.compare, t.range, tile_.whole_range)) return;
-        sink_.begin(t.depth, t.front_facing, t.entry, chunk);
+        sink_.begin(t, chunk);
         if (t.covers_tile && depth_.write && Sink::remembers) {
             const DepthRange incoming = depth_range(depth_.format, t.depth, tile_.x, tile_.y, tile_.x + tile_size - 1,
                                                     tile_.y + tile_size - 1);
@@ -70,7 +77,7 @@ public:
         }
         if (tile_.whole) split_tile(tile_);
         if (t.x1 - t.x0 < 2 * block_size && t.y1 - t.y0 < 2 * block_size) {
-            draw_cells(t);
+            draw_small(t);
         } else {
             for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
                 for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) draw_block(t, bx, by);
@@ -84,6 +91,7 @@ public:
         if (none_passes(depth_.compare, incoming, tile_.whole_range)) return;
         if (tile_.whole) split_tile(tile_);
         bool begun = false;
+        TileTriangle t;
         for (std::uint32_t rest = std::uint32_t(pack.covered.v[lane]); rest; rest &= rest - 1) {
             const int k = std::countr_zero(rest);
             const int x = pack.x0.v[lane] + (k & 1), y = pack.y0.v[lane] + (k >> 1);
@@ -95,8 +103,8 @@ public:
             const std::int32_t depth = pack.dot_depth[std::size_t(k)].v[lane];
             if (!depth_passes(depth_.compare, depth, tile_.depth[i])) continue;
             if (!begun) {
-                const TileTriangle t = pack.at(lane);
-                sink_.begin(t.depth, t.front_facing, entry, chunk);
+                t = pack.at(lane, entry);
+                sink_.begin(t, chunk);
                 begun = true;
             }
             note_write(block, incoming);
@@ -113,44 +121,56 @@ private:
         return value_at(DepthPlane<FloatN>{{t.depth.origin, t.depth.dadx, t.depth.dady}, t.depth.offset}, px, py);
     }
 
-    /// Small triangles: every cell of the box.
-    void draw_cells(const TileTriangle& t) {
-        const int left = t.x0 & ~(cell_width - 1), top = t.y0 & ~(cell_height - 1);
+    /// Small triangles: every pixel of the box, in packs as wide or as high as suits it.
+    void draw_small(const TileTriangle& t) {
+        const int bx0 = t.x0 / block_size, bx1 = t.x1 / block_size, by0 = t.y0 / block_size, by1 = t.y1 / block_size;
         bool hidden = true;
-        for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
-            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx)
+        for (int by = by0; by <= by1; ++by)
+            for (int bx = bx0; bx <= bx1; ++bx)
                 hidden = hidden && none_passes(depth_.compare, t.range, tile_.range[by * blocks_per_row + bx]);
         if (hidden) return;
-        for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
-            for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) touch(by * blocks_per_row + bx, t.range);
+        for (int by = by0; by <= by1; ++by)
+            for (int bx = bx0; bx <= bx1; ++bx) touch(by * blocks_per_row + bx, t.range);
+        if (t.x1 - t.x0 < CellShape::width) {
+            draw_packs<CellShape>(t);
+        } else {
+            draw_packs<RowShape>(t);
+        }
+    }
 
-        const IntN x = IntN(left) + cell_x(), y = IntN(top) + cell_y();
-        IntN row[3];
-        for (std::size_t i = 0; i < 3; ++i)
-            row[i] = IntN(t.edges[i].origin) + IntN(t.edges[i].step_x) * x + IntN(t.edges[i].step_y) * y;
-        FloatN py = to_float(IntN(tile_.y) + y);
-        const FloatN px0 = to_float(IntN(tile_.x) + x);
-        for (int cy = top; cy <= t.y1; cy += cell_height) {
-            IntN e[3] = {row[0], row[1], row[2]};
-            FloatN px = px0;
-            for (int cx = left; cx <= t.x1; cx += cell_width) {
-                const MaskN covered = inside(e[0], e[1], e[2]);
+    template <class Shape>
+    void draw_packs(const TileTriangle& t) {
+        // Packs begin at the box, and before it only where they would leave the tile.
+        const int wide = (t.x1 - t.x0) / Shape::width + 1, high = (t.y1 - t.y0) / Shape::height + 1;
+        const int left = std::min(t.x0, tile_size - wide * Shape::width), top = std::min(t.y0, tile_size - high * Shape::height);
+        for (int column = 0; column < wide; ++column) {
+            IntN x = IntN(left + column * Shape::width) + Shape::x(), y = IntN(top) + Shape::y();
+            IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y), e2 = edge_in_tile(t.edges[2], x, y);
+            const IntN down0(Shape::height * t.edges[0].step_y), down1(Shape::height * t.edges[1].step_y),
+                down2(Shape::height * t.edges[2].step_y);
+            Column<FloatN> z = column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
+            FloatN py = to_float(IntN(tile_.y) + y);
+            int i = top * tile_size + left + column * Shape::width;
+            for (int row = 0; row < high; ++row) {
+                MaskN covered = inside(e0, e1, e2);
                 if (any(covered)) {
-                    const int i = cy * tile_size + cx;
-                    const IntN incoming_depth = encode_depth(depth_.format, depth_at(t, px, py));
-                    const IntN stored = load_cell<native_lanes>(tile_.depth + i);
-                    const MaskN passed = covered & depth_passes(depth_.compare, incoming_depth, stored);
+                    IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + FloatN(t.depth.offset));
+                    IntN stored = Shape::load(tile_.depth + i);
+                    MaskN passed = covered & depth_passes(depth_.compare, incoming_depth, stored);
                     if (any(passed)) {
-                        if (depth_.write) store_cell(tile_.depth + i, select(passed, incoming_depth, stored));
-                        sink_.cell(i, passed);
+                        if (depth_.write) Shape::store(tile_.depth + i, select(passed, incoming_depth, stored));
+                        sink_.template pack<Shape>(i, passed);
                     }
                 }
-                for (std::size_t k = 0; k < 3; ++k) e[k] = e[k] + IntN(cell_width * t.edges[k].step_x);
-                px = px + FloatN(float(cell_width));
+                e0 = e0 + down0, e1 = e1 + down1, e2 = e2 + down2;
+                py = py + FloatN(float(Shape::height));
+                i += Shape::height * tile_size;
             }
-            for (std::size_t k = 0; k < 3; ++k) row[k] = row[k] + IntN(cell_height * t.edges[k].step_y);
-            py = py + FloatN(float(cell_height));
         }
+    }
+
+    static IntN edge_in_tile(const TileEdge& e, IntN x, IntN y) {
+        return IntN(e.origin) + IntN(e.step_x) * x + IntN(e.step_y) * y;
     }
 
     /// Keeps the ranges true when some of a block's pixels change.
@@ -210,7 +230,7 @@ private:
                 passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
                 if (!any(passed)) continue;
                 if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-                sink_.row(i, passed);
+                sink_.template pack<RowShape>(i, passed);
             }
     }
 
@@ -224,11 +244,13 @@ template <class Depth, class Sink>
 inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
                         TileBuffer& tile, const Depth& depth, Sink& sink) {
     TileRaster<Depth, Sink> raster(tile, depth, sink);
+    PackSetup pack;
     for (std::uint32_t c = 0; c < chunks.size(); ++c) {
         const std::uint32_t* entry = chunks[c].entries.data() + chunks[c].offsets[tile_index];
         const std::uint32_t* end = chunks[c].entries.data() + chunks[c].offsets[tile_index + 1];
         for (; entry < end; entry += native_lanes) {
             const int count = int(std::min<std::ptrdiff_t>(end - entry, native_lanes));
+            draw.prefetch(entry + native_lanes, end);
             std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
             std::uint32_t large = 0;
             for (int lane = 0; lane < count; ++lane) {
@@ -239,9 +261,8 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
                     for (std::size_t k = 0; k < 3; ++k) places[k].v[lane] = std::int32_t(v[k] - draw.first_vertex);
                 }
             }
-            PackSetup pack;
             if (large != (1u << count) - 1)
-                pack = set_up_pack(&draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
+                set_up_pack(pack, &draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
             for (int lane = 0; lane < count; ++lane) {
                 if (large >> lane & 1) {
                     TileTriangle t = place_large(chunks[c].large[entry[lane] & ~large_bit], depth.format, tile.x, tile.y);
@@ -250,9 +271,7 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
                 } else if (pack.dots >> lane & 1) {
                     raster.draw_dots(pack, lane, entry[lane], c);
                 } else {
-                    TileTriangle t = pack.at(lane);
-                    t.entry = entry[lane];
-                    raster.draw(t, c);
+                    raster.draw(pack.at(lane, entry[lane]), c);
                 }
             }
         }

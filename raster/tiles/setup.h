@@ -19,7 +19,7 @@ struct TileEdge {
 struct TileTriangle {
     std::array<TileEdge, 3> edges;
     DepthPlane<float> depth;
-    DepthRange range;    ///< of the depths in its box, cells that it touches included
+    DepthRange range;    ///< of the depths in its box
     int x0, y0, x1, y1;  ///< its pixels in the tile, ends included; none when x0 > x1
     std::uint32_t entry;
     bool front_facing;
@@ -49,8 +49,7 @@ inline TileTriangle place_large(const LargeTriangle& large, DepthFormat format, 
         t.edges[i] = crosses ? TileEdge{std::int32_t(origin), e.step_x, e.step_y} : TileEdge{0, 0, 0};
         t.covers_tile = t.covers_tile && low >= 0;
     }
-    t.range = depth_range(format, t.depth, tile_x + (t.x0 & ~(cell_width - 1)), tile_y + (t.y0 & ~(cell_height - 1)),
-                          tile_x + (t.x1 | (cell_width - 1)), tile_y + (t.y1 | (cell_height - 1)));
+    t.range = depth_range(format, t.depth, tile_x + t.x0, tile_y + t.y0, tile_x + t.x1, tile_y + t.y1);
     return t;
 }
 
@@ -68,8 +67,9 @@ struct PackSetup {
     IntN covered;                   ///< bit 0: pixel (x0, y0), bit 1: one to the right, bits 2 and 3: the row below
     std::array<IntN, 4> dot_depth;  ///< encoded, of those pixels
 
-    TileTriangle at(int lane) const {
+    TileTriangle at(int lane, std::uint32_t entry) const {
         TileTriangle t;
+        t.entry = entry;
         for (std::size_t i = 0; i < 3; ++i)
             t.edges[i] = {origins[i].v[lane], edges[i].step_x.v[lane], edges[i].step_y.v[lane]};
         t.depth = {{depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]}, depth.offset.v[lane]};
@@ -81,9 +81,8 @@ struct PackSetup {
     }
 };
 
-inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& places, const State& state, DepthFormat format,
-                             int tile_x, int tile_y, int width, int height) {
-    PackSetup r;
+inline void set_up_pack(PackSetup& r, const float* windows, const std::array<IntN, 3>& places, const State& state,
+                        DepthFormat format, int tile_x, int tile_y, int width, int height) {
     std::array<WindowVertex<FloatN>, 3> v;
     std::array<SubpixelVertex<FloatN>, 3> s;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -105,10 +104,8 @@ inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& pl
     r.x1 = min(box.last_x(), IntN(std::min(tile_size, width - tile_x) - 1));
     r.y1 = min(box.last_y(), IntN(std::min(tile_size, height - tile_y) - 1));
     const auto absolute = [](int tile, IntN i) { return to_float(IntN(tile) + i); };
-    const auto [low, high] =
-        depth_extremes(format, r.depth, absolute(tile_x, r.x0 & IntN(~(cell_width - 1))),
-                       absolute(tile_y, r.y0 & IntN(~(cell_height - 1))), absolute(tile_x, r.x1 | IntN(cell_width - 1)),
-                       absolute(tile_y, r.y1 | IntN(cell_height - 1)));
+    const auto [low, high] = depth_extremes(format, r.depth, absolute(tile_x, r.x0), absolute(tile_y, r.y0),
+                                            absolute(tile_x, r.x1), absolute(tile_y, r.y1));
     r.range_min = low, r.range_max = high;
 
     const IntN columns = r.x1 - r.x0, rows = r.y1 - r.y0;
@@ -120,7 +117,6 @@ inline PackSetup set_up_pack(const float* windows, const std::array<IntN, 3>& pl
             r.dot_depth[std::size_t(k)] =
                 encode_depth(format, value_at(r.depth, px + FloatN(float(k & 1)), py + FloatN(float(k >> 1))));
     }
-    return r;
 }
 
 }  // namespace raster::tiles

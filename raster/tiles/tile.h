@@ -18,11 +18,6 @@ inline constexpr int block_size = 8;
 inline constexpr int blocks_per_row = tile_size / block_size;
 inline constexpr int block_count = blocks_per_row * blocks_per_row;
 
-/// A pack of lanes over small triangles is a cell 4 pixels wide.
-inline constexpr int cell_width = 4;
-inline constexpr int cell_height = native_lanes / cell_width;
-static_assert(native_lanes == 4 || native_lanes == 8, "blocks are 8 pixels wide and cells 4");
-
 /// The depths and owners of a tile's pixels. A uniform block's pixels all belong to one slot, and are not written until
 /// something else touches the block: full-screen triangles that hide each other then cost a few instructions a block.
 struct TileBuffer {
@@ -40,22 +35,32 @@ struct TileBuffer {
     std::vector<Slot> slots;  ///< 0 stands for what the target held before
 };
 
-template <int N>
-inline IntPack<N> load_cell(const std::int32_t* p) {
-    IntPack<N> r;
-    for (int row = 0; row < N / cell_width; ++row)
-        std::memcpy(reinterpret_cast<char*>(&r.v) + 16 * row, p + row * tile_size, 16);
-    return r;
-}
-template <int N>
-inline void store_cell(std::int32_t* p, IntPack<N> v) {
-    for (int row = 0; row < N / cell_width; ++row)
-        std::memcpy(p + row * tile_size, reinterpret_cast<const char*>(&v.v) + 16 * row, 16);
-}
+/// A pack of lanes as neighbours in a row of a tile.
+struct RowShape {
+    static constexpr int width = native_lanes, height = 1;
+    static IntN x() { return lane_index<FloatN>(); }
+    static IntN y() { return IntN(0); }
+    static IntN load(const std::int32_t* p) { return load_int<FloatN>(p); }
+    static void store(std::int32_t* p, IntN v) { store_int(p, v); }
+};
 
-/// Column and row of each lane in a cell.
-inline IntN cell_x() { return lane_index<FloatN>() & IntN(cell_width - 1); }
-inline IntN cell_y() { return lane_index<FloatN>() >> 2; }
+/// A pack of lanes as a cell 4 pixels wide.
+struct CellShape {
+    static constexpr int width = 4, height = native_lanes / width;
+    static_assert(native_lanes == 4 || native_lanes == 8, "blocks are 8 pixels wide and cells 4");
+    static IntN x() { return lane_index<FloatN>() & IntN(width - 1); }
+    static IntN y() { return lane_index<FloatN>() >> 2; }
+    static IntN load(const std::int32_t* p) {
+        IntN r;
+        for (int row = 0; row < height; ++row)
+            std::memcpy(reinterpret_cast<char*>(&r.v) + 16 * row, p + row * tile_size, 16);
+        return r;
+    }
+    static void store(std::int32_t* p, IntN v) {
+        for (int row = 0; row < height; ++row)
+            std::memcpy(p + row * tile_size, reinterpret_cast<const char*>(&v.v) + 16 * row, 16);
+    }
+};
 
 inline int block_x(int block) { return block % blocks_per_row * block_size; }
 inline int block_y(int block) { return block / blocks_per_row * block_size; }

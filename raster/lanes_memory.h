@@ -1,0 +1,112 @@
+// lanes_memory.h: packs from memory and back, and single lanes of packs. Included by lanes.h.
+#pragma once
+
+#include <raster/lanes.h>
+
+namespace raster {
+
+/// One lane of a pack, as a scalar.
+inline float lane(float x, int) { return x; }
+inline std::int32_t lane(std::int32_t x, int) { return x; }
+inline bool lane(bool x, int) { return x; }
+template <int N>
+inline float lane(FloatPack<N> x, int i) { return x.v[i]; }
+template <int N>
+inline std::int32_t lane(IntPack<N> x, int i) { return x.v[i]; }
+template <int N>
+inline bool lane(MaskPack<N> x, int i) { return x.v[i] != 0; }
+
+/// 0, 1, 2, ... in the lanes.
+template <class F>
+inline Int<F> lane_index() {
+    if constexpr (lanes<F> == 1) {
+        return 0;
+    } else {
+        Int<F> r;
+        for (int i = 0; i < lanes<F>; ++i) r.v[i] = i;
+        return r;
+    }
+}
+
+/// lanes<F> consecutive values from memory, and back. No alignment is asked.
+template <class F>
+inline F load(const float* p) {
+    if constexpr (lanes<F> == 1) {
+        return *p;
+    } else {
+        F r;
+        std::memcpy(&r.v, p, sizeof r.v);
+        return r;
+    }
+}
+template <class F>
+inline Int<F> load_int(const void* p) {
+    Int<F> r;
+    std::memcpy(&r, p, sizeof r);
+    return r;
+}
+inline void store(float* p, float x) { *p = x; }
+template <int N>
+inline void store(float* p, FloatPack<N> x) { std::memcpy(p, &x.v, sizeof x.v); }
+inline void store_int(void* p, std::int32_t x) { std::memcpy(p, &x, sizeof x); }
+template <int N>
+inline void store_int(void* p, IntPack<N> x) { std::memcpy(p, &x.v, sizeof x.v); }
+
+/// base[index] in each lane. Every index is in range, dead lanes included: the caller clamps.
+inline float gather(const float* base, std::int32_t index) { return base[index]; }
+inline std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
+template <int N>
+inline FloatPack<N> gather(const float* base, IntPack<N> index) {
+    if constexpr (detail::is_pair<N>)
+        return detail::by_halves<FloatPack<N>>([base](auto index) { return gather(base, index); }, index);
+    FloatPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
+    return r;
+}
+template <int N>
+inline IntPack<N> gather(const std::int32_t* base, IntPack<N> index) {
+    if constexpr (detail::is_pair<N>)
+        return detail::by_halves<IntPack<N>>([base](auto index) { return gather(base, index); }, index);
+#if defined(__AVX2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) {
+        return detail::bits<detail::Vector<std::int32_t, N>>(
+            _mm256_i32gather_epi32(base, detail::bits<__m256i>(index.v), 4));
+    }
+#endif
+    IntPack<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
+    return r;
+}
+
+/// Four consecutive floats at base + 4 * index in each lane, transposed: record i's four floats end in lane i of a, b, c, d.
+inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d) {
+    const float* p = base + 4 * std::ptrdiff_t(index);
+    a = p[0], b = p[1], c = p[2], d = p[3];
+}
+template <int N>
+inline void gather4(const float* base, IntPack<N> index, FloatPack<N>& a, FloatPack<N>& b, FloatPack<N>& c,
+                    FloatPack<N>& d) {
+    const auto record = [&](int i) { return base + 4 * std::ptrdiff_t(std::uint32_t(index.v[i])); };
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) {
+        const auto two = [&](int i) {
+            return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(record(i))), _mm_loadu_ps(record(i + 4)), 1);
+        };
+        const __m256 r0 = two(0), r1 = two(1), r2 = two(2), r3 = two(3);
+        const __m256 t0 = _mm256_unpacklo_ps(r0, r1), t1 = _mm256_unpackhi_ps(r0, r1);
+        const __m256 t2 = _mm256_unpacklo_ps(r2, r3), t3 = _mm256_unpackhi_ps(r2, r3);
+        using V = typename FloatPack<N>::V;
+        a.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0x44));
+        b.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0xee));
+        c.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0x44));
+        d.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0xee));
+        return;
+    }
+#endif
+    for (int i = 0; i < N; ++i) {
+        const float* p = record(i);
+        a.v[i] = p[0], b.v[i] = p[1], c.v[i] = p[2], d.v[i] = p[3];
+    }
+}
+
+}  // namespace raster
