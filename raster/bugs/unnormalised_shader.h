@@ -18,7 +18,7 @@ struct UnnormalisedPixelShader : PixelShader<RuntimeModel, level> {
         const ShadingUniforms& u = this->u;
         vec<3, F> outward = in.normal_eye;
         vec<3, F> n = u.two_sided ? negate_where<F>(!at.front_facing, outward) : outward;
-        Frame<F> frame = frame_at<RuntimeModel>(u, n, in.position_eye);
+        Frame<F> frame = frame_at(u, this->model, n, in.position_eye);
         Lit<F> lit = illuminate(this->model, u.lights, frame, in.position_eye);
         if constexpr (level == Detail::plain) {
             return plain_sum(plain_colors(u.material), u.ambient, lit);

@@ -64,7 +64,7 @@ std::optional<ShadingRecord> shading_at(const PlannedDraw& draw, std::int64_t tr
     const ShadingUniforms& u = draw.uniforms;
     const RuntimeModel model{draw.reflectance};
     const LitPoint at = point_of(draw, triangle, front_facing, varyings);
-    const Frame<float> frame = frame_at<RuntimeModel>(u, at.n, at.position_eye);
+    const Frame<float> frame = frame_at(u, model, at.n, at.position_eye);
     ShadingRecord r;
     r.where = at.where;
     r.position_eye = at.position_eye;
