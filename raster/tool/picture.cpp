@@ -99,9 +99,9 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
                        "How often light is computed: once a triangle, a vertex (colours are interpolated), or a pixel"
                        " (normals are). [phong]"));
     std::string names;
-    for (const std::string_view name : reflectance_names()) names += (names.empty() ? "" : "|") + std::string(name);
-    shading(add_value(app, "--reflectance", names, o.reflectance, parse_reflectance,
-                      "How surfaces reflect light whose materials do not say it. [blinn-phong]"));
+    for (const std::string_view name : reflectance_names()) names += (names.empty() ? "" : ", ") + std::string(name);
+    shading(add_value(app, "--reflectance", "MODEL", o.reflectance, parse_reflectance,
+                      "How surfaces reflect light whose materials do not say it: " + names + ". [blinn-phong]"));
     shading(add_values(app, "--light", "LIGHT", flags.lights, parse_light, light_help));
     shading(add_values(app, "--material", "CHANGE", flags.materials, parse_material, material_help()));
     shading(app.add_flag("--two-sided,!--no-two-sided", o.two_sided,
