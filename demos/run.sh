@@ -1,7 +1,8 @@
 #!/bin/bash
-# run.sh: installs what is missing, builds the raster command, and renders a gallery of models into out/.
+# run.sh: installs what is missing, builds the raster command, and draws the figures of the lectures into out/gallery/.
 #
 #   bash demos/run.sh                  the gallery
+#   bash demos/run.sh gallery --docs   the same in small, for docs/gallery.md
 #   bash demos/run.sh bench [OPTION]   times this library against llvmpipe, frame by frame; --help lists the options
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,7 +12,7 @@ demo=${1:-gallery}
 case $demo in
     gallery | bench) ;;
     *)
-        echo "usage: bash demos/run.sh [gallery | bench [OPTION...]]" >&2
+        echo "usage: bash demos/run.sh [gallery [--docs] | bench [OPTION...]]" >&2
         exit 2
         ;;
 esac
