@@ -14,6 +14,7 @@ namespace raster::step {
 struct DrawRecord {
     std::string material;
     ShadingFrequency frequency;
+    std::string reflectance;  ///< the model's name
     State state;
     std::int64_t triangles = 0;
     std::size_t vertices = 0;

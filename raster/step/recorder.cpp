@@ -60,6 +60,7 @@ void Recorder::begin(const PlannedDraw& draw, int number) {
     vertices_.clear();
     DrawRecord d;
     d.frequency = draw.frequency;
+    d.reflectance = std::visit([](const auto& m) { return std::string(m.name); }, draw.reflectance);
     d.state = draw.state;
     d.vertices = draw.mesh.vertices.size();
     d.varyings = varying_names(draw.frequency);

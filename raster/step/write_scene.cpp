@@ -60,6 +60,7 @@ void write_draws(JsonText& json, const Record& record) {
             json.object([&] {
                 json.member("material", d.material);
                 json.member("frequency", frequencies[int(d.frequency)]);
+                json.member("reflectance", d.reflectance);
                 json.member("triangles", d.triangles);
                 json.member("vertices", d.vertices);
                 json.member("varyings", d.varyings);
@@ -90,7 +91,6 @@ void write_scene(JsonText& json, const Scene& scene, const Record& record) {
     json.member("command", scene.step.command);
     json.object("options", [&] {
         json.member("frequency", frequencies[int(o.frequency)]);
-        json.member("reflectance", std::visit([](const auto& m) { return m.name; }, o.reflectance));
         json.member("visibility", o.visibility == Visibility::zbuffer ? "zbuffer" : "painter");
         json.member("two_sided", o.two_sided);
         json.member("background", o.background);

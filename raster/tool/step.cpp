@@ -1,7 +1,9 @@
 // step.cpp: `raster step`: a model file in, one HTML page out, in which the reader steps through the draw.
 #include <filesystem>
 
-#include <raster/step/step.h>
+#include <raster/image/apng.h>
+#include <raster/image/file.h>
+#include <raster/step/stage_pictures.h>
 
 #include "commands.h"
 #include "picture.h"
@@ -13,6 +15,7 @@ namespace raster::tool {
 namespace {
 
 constexpr int max_questions = 100;
+constexpr int frame_milliseconds = 1500;
 
 struct StepArguments {
     LoadFlags load;
@@ -21,6 +24,7 @@ struct StepArguments {
     ThreadFlags threads;
     ProgressMode progress = ProgressMode::automatic;
     std::string output;
+    std::string apng;  ///< path, or empty
     StepOptions options;
     bool quiet = false;
 };
@@ -36,7 +40,7 @@ std::string command_without_place(const CLI::App& app, const std::string& model)
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
         if (option->count() == 0 || !name.starts_with("--")) continue;
-        if (name == "--pixel" || name == "--triangle" || name == "--stage" || name == "--output" || name == "--quiz" ||
+        if (name == "--pixel" || name == "--triangle" || name == "--stage" || name == "--output" || name == "--quiz" || name == "--apng" ||
             name == "--quiet" || name == "--progress" || name == "--threads")
             continue;
         const bool is_switch = option->get_items_expected_max() == 0;
@@ -49,22 +53,39 @@ std::string command_without_place(const CLI::App& app, const std::string& model)
     return text;
 }
 
+/// The stages as an animation, for slides.
+Status write_stages(const std::string& path, const Model& model, const ViewPlan& plan, const RenderOptions& options) {
+    const Result<View> view = plan.view_of(model);
+    if (!view) return view.error();
+    std::vector<Image8> frames;
+    for (StagePicture& stage : stage_pictures(model, view->matrices, view->size.width, view->size.height, options))
+        frames.push_back(std::move(stage.image));
+    const Result<Bytes> file = encode_apng(frames, frame_milliseconds);
+    if (!file) return file.error();
+    return write_file(path, *file);
+}
+
 Result<int> run_step(StepArguments& a) {
     const Result<ViewPlan> plan = ViewPlan::make(a.view);
     if (!plan) return plan.error();
     if (a.output.empty()) a.output = step_page_path(a.load.model);
     if (const Status status = check_page(a.output, {a.load.model, a.view.json}); !status) return status.error();
+    if (a.apng == a.output) return Error{ErrorKind::usage, a.apng + ": two outputs cannot have one name"};
+    if (!a.apng.empty())
+        if (const Status status = check_page(a.apng, {a.load.model, a.view.json, a.output}); !status) return status.error();
 
     Progress progress(a.progress);
     Result<Loaded> loaded = load(a.load, progress, a.quiet);
     if (!loaded) return loaded.error();
-    const Status safe = check_no_input({a.output}, texture_paths(a.load.model, loaded->model));
+    const Status safe = check_no_input({a.output, a.apng}, texture_paths(a.load.model, loaded->model));
     if (!safe) return safe.error();
     a.options.name = std::filesystem::path(a.load.model).filename().string();
     const RenderOptions options = a.picture.options_for(loaded->model);
     Result<std::size_t> written = std::size_t(0);
     with_threads(a.threads, [&] { written = write_step_page(a.output, loaded->model, *plan, options, a.options); });
     if (!written) return written.error();
+    if (!a.apng.empty())
+        if (const Status status = write_stages(a.apng, loaded->model, *plan, options); !status) return status.error();
     if (!a.quiet) say(a.output + ": " + with_separators(std::int64_t(*written)) + " bytes; open it in a browser");
     return exit_done;
 }
@@ -101,6 +122,9 @@ Run add_step(CLI::App& app) {
               [](std::string_view t) { return parse_count(t, 1, max_questions); },
               "The page opens with a worksheet of N questions, 1 to 100, about this draw, to be printed, with the"
               " answers on a sheet of their own.")
+        ->group("Page");
+    add_value(app, "--apng", "FILE", a->apng, parse_path,
+              "Also the stages as an animated PNG, for slides: points, lines, coverage, depth, normals, light, picture.")
         ->group("Page");
     add_view_flags(app, a->view);
     add_picture_flags(app, a->picture);

@@ -1,14 +1,12 @@
 // step_page.cpp: the stepper page as a file.
 #include "step_page.h"
 
-#include <filesystem>
-
 #include <raster/image/file.h>
 
 namespace raster::tool {
 
 std::string step_page_path(const std::string& model) {
-    return std::filesystem::path(model).stem().string() + ".step.html";
+    return beside(default_picture_path(model), ".step.html");
 }
 
 Status check_page(const std::string& path, const std::vector<std::string>& inputs) {

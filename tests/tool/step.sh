@@ -28,6 +28,20 @@ test_the_demo_page_is_small() {
     data_of teapot.step.html | grep -q '"left_out":\["' || failed 'the page does not say what was left out'
 }
 
+test_the_stages_are_an_animation() {
+    make_triangle
+    expect 0 '' step t.obj --size 60x40 --apng t.png
+    expect_files t.obj t.step.html t.png
+    grep -qa acTL t.png || failed 'no animation'
+    expect 2 '' step t.obj --apng t.obj
+    expect 2 '' step t.obj -o x --apng x
+}
+
+test_a_shape_needs_no_file() {
+    expect 0 '' step shape:box --size 60x40
+    expect_files box.step.html
+}
+
 test_the_pixel_the_triangle_and_the_stage_are_kept() {
     make_triangle
     expect 0 '' step t.obj --size 60x40 --pixel 29,21 --triangle 1 --stage depth

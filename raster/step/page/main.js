@@ -99,6 +99,13 @@ function set_up() {
     });
     dark_wish.addEventListener("change", () => { show_theme(); update(false); });
     addEventListener("keydown", on_key);
+    addEventListener("beforeprint", () => {  // on white paper, whatever the screen
+        document.documentElement.dataset.dark = "no";
+        css_cache.clear();
+        draw_grid();
+        draw_scene();
+    });
+    addEventListener("afterprint", () => { show_theme(); update(false); });
     addEventListener("resize", () => { draw_grid(); draw_scene(); });
     addEventListener("hashchange", () => {
         if (location.hash === written_address) return;

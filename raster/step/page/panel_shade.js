@@ -38,7 +38,7 @@ function light_part(f) {
       <div class="side-by-side"><div>
       ${formula(`n = ${tuple(s.n)}`)}${formula(`l = ${tuple(l.l)} <small>to the light</small>`)}${formula(`v = ${tuple(s.v)} <small>to the viewer</small>`)}${formula(`h = (l + v) / |l + v| = ${tuple(l.h)}`)}
       ${formula(`n · l = ${secret(`<b>${num(l.n_l)}</b>`)}, &nbsp; n · h = ${secret(`<b>${num(l.n_h)}</b>`)}, &nbsp; strength ${num(l.strength)}`)}
-      ${formula(`${data.options.reflectance} gives: diffuse ${secret(num(l.diffuse[0]))}, highlight ${secret(num(l.specular[0]))}`)}</div>
+      ${formula(`${data.draws[f.draw].reflectance} gives: diffuse ${secret(num(l.diffuse[0]))}, highlight ${secret(num(l.specular[0]))}`)}</div>
       <div class="pictures">${state.predict && !state.answered ? "" : vector_picture(s, l)}</div></div>`).join("");
     const c = ["r", "g", "b"].map((name, k) => [name,
         secret(`${operand(s.ambient[k])} · ${operand(s.ka[k])} = <b>${num(f.outputs[8 + k])}</b>`),

@@ -79,6 +79,31 @@ function question_of(t, s, item) {
     return null;
 }
 
+/** What a question on paper must say besides, since no panel stands beside it. */
+function givens_of(t, s, item) {
+    const piece = (t.pieces || [])[item.piece || 0];
+    const point = values => `(${values.map(short_text).join(", ")})`;
+    switch (stages[s]) {
+        case "vertex": {
+            const rows = data.draws[t.draw].clip_from_object.map(point).join(", ");
+            return `Its object position is ${point(t.corners[item.corner].attributes.slice(0, 3))}; the rows of clip_from_object are ${rows}.`;
+        }
+        case "clip":
+            if (t.planes.length) return `Clip positions: ${t.planes[item.plane || 0].before.map(p => point(p.clip)).join(", ")}.`;
+            return `Clip positions of its corners: ${t.corners.map(v => point(v.clip)).join(", ")}.`;
+        case "cull": return `In subpixels, y down: ${piece.subpixel.map((p, k) => `v${k} ${point(p)}`).join(", ")}.`;
+        case "setup": return `In subpixels, y down: ${piece.subpixel.map((p, k) => `v${k} ${point(p)}`).join(", ")}; the corners run counter-clockwise in the order ${piece.setup.order.map(k => "v" + k).join(", ")}.`;
+        case "coverage": return piece.setup.edges.map((e, k) => `e${k} = ${short_text(e.origin)} + 256 · (${short_text(e.step_x)} · x + ${short_text(e.step_y)} · y)`).join("; ") + ".";
+        case "interpolate": return `The corners' w: ${piece.setup.order.map(k => `v${k} ${short_text(piece.clip[k][3])}`).join(", ")}.`;
+        case "fragment": {
+            const f = fragment_of(t, item.piece || 0, item.x, item.y).shading;
+            if (!f) return "";
+            return `In red, green, blue: ambient light ${point(f.ambient)} on k_a ${point(f.ka)}; diffuse light ${point(f.sum_diffuse)} on k_d ${point(f.kd)}; highlight ${point(f.sum_specular)} on k_s ${point(f.ks)}.`;
+        }
+    }
+    return "";
+}
+
 const is_right = (question, given) => (question.kind === "number" ? Number(given) === question.answer : given === question.answer);
 
 /** The question box of predict mode. */

@@ -1,7 +1,7 @@
 // view3d.js: the scene pane: model, view volume, current triangle and vectors. It draws; its numbers are shown nowhere.
 
 const scene_canvas = document.getElementById("scene");
-const orbit_start = { yaw: -0.7, pitch: 0.35, zoom: 1 };
+const orbit_start = { yaw: -0.7, pitch: 0.35, zoom: 1, close: false };
 const orbit = { ...orbit_start, view: "scene" };
 
 const times = (m, v) => m.map(row => row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + row[3] * v[3]);
@@ -46,6 +46,20 @@ function plane_polygon(name) {
     return [near_corners[a], near_corners[b], far_corners[b], far_corners[a]];
 }
 
+/** The sphere that the view from outside shows: the triangle with its surroundings, or everything. */
+function framed() {
+    const around = (points, factor) => {
+        const middle = points.reduce((a, p) => plus(a, p, 1 / points.length), [0, 0, 0]);
+        return { middle, radius: factor * Math.max(...points.map(p => Math.hypot(...minus(p, middle))), 1e-6) };
+    };
+    const corners = current_triangle().corners.map(v => v.world.slice(0, 3));
+    if (orbit.close && corners.length === 3) return around(corners, 3);
+    const eye = data.view.perspective ? [eye_world] : [];
+    const reach = points => Math.max(0, ...points.map(p => Math.hypot(...minus(p, eye_world))));
+    const whole = reach(far_corners) < 4 * reach(mesh.positions.length < 5000 ? mesh.positions : mesh.positions.slice(0, 5000));
+    return around([...near_corners, ...eye, ...(whole ? far_corners : [...mesh.positions.slice(0, 500), mesh_middle])], 1);
+}
+
 /** A function from world space to the canvas: [x, y, depth], or null where it cannot be shown. */
 function projector(width, height) {
     const size = Math.min(width, height);
@@ -58,10 +72,7 @@ function projector(width, height) {
                 height / 2 - clip[1] / clip[3] * data.view.height / 2 * scale, clip[3]];
         };
     }
-    const everything = orbit.view === "ndc" ? [] : [...near_corners, ...far_corners, ...(data.view.perspective ? [eye_world] : [])];
-    const middle = orbit.view === "ndc" ? [0, 0, 0]
-        : everything.reduce((a, p) => plus(a, p, 1 / everything.length), [0, 0, 0]);
-    const radius = orbit.view === "ndc" ? 1.75 : Math.max(...everything.map(p => Math.hypot(...minus(p, middle))));
+    const { middle, radius } = orbit.view === "ndc" ? { middle: [0, 0, 0], radius: 1.75 } : framed();
     // Turned around the camera's up, so that the picture's up is up.
     const up = orbit.view === "ndc" ? [0, 1, 0] : unit(minus(near_corners[3], near_corners[0]));
     const ahead = orbit.view === "ndc" ? [0, 0, 1] : unit(minus(far_corners.reduce((a, p) => plus(a, p, 0.25), [0, 0, 0]),
@@ -165,7 +176,7 @@ function draw_scene() {
         line(corners, css("accent"), 2);
         const placed = corners.map(place).filter(Boolean);
         const spread = placed.length ? Math.max(...[0, 1].map(i => Math.max(...placed.map(p => p[i])) - Math.min(...placed.map(p => p[i])))) : 0;
-        if (spread < 30 && placed.length) {  // too small to see: a ring around it
+        if (spread < 30 && placed.length && !t.planes?.length) {  // too small to see: a ring around it
             c.strokeStyle = css("accent");
             c.lineWidth = 1.5;
             c.beginPath();
@@ -257,9 +268,14 @@ function set_up_scene() {
         });
     const turns = { left: () => (orbit.yaw -= 0.2), right: () => (orbit.yaw += 0.2), up: () => (orbit.pitch += 0.15),
         down: () => (orbit.pitch -= 0.15), in: () => (orbit.zoom *= 1.3), out: () => (orbit.zoom /= 1.3),
+        close: () => Object.assign(orbit, { close: !orbit.close, zoom: 1 }),
         reset: () => Object.assign(orbit, orbit_start) };
     for (const button of document.querySelectorAll("[data-orbit]"))
-        button.addEventListener("click", () => { turns[button.dataset.orbit](); draw_scene(); });
+        button.addEventListener("click", () => {
+            turns[button.dataset.orbit]();
+            document.querySelector("[data-orbit=close]").setAttribute("aria-pressed", String(orbit.close));
+            draw_scene();
+        });
     let held = null;
     scene_canvas.addEventListener("pointerdown", e => { held = [e.clientX, e.clientY]; scene_canvas.setPointerCapture(e.pointerId); });
     scene_canvas.addEventListener("pointermove", e => {

@@ -15,7 +15,7 @@ function worksheet_questions(count) {
                 const question = question_of(data.triangles[t], s, item);
                 if (!question || seen.has(question.text)) continue;
                 seen.add(question.text);
-                asked.push({ ...question, s, address: address_of(t, s, item) });
+                asked.push({ ...question, s, given: givens_of(data.triangles[t], s, item), address: address_of(t, s, item) });
                 break;
             }
         }
@@ -37,7 +37,7 @@ function open_worksheet(count) {
         <label>Questions <input id="worksheet-count" type="number" min="1" max="100" value="${count}"></label></div>
       <div class="sheet"><h2 id="h-worksheet">${escape_html(data.model.name)}: ${questions.length} questions</h2><p>Name <span class="line"></span></p>
       <div class="pictures">${crop_picture(picture_name(), "the picture around pixel " + data.focus.pixel.join(","), ...data.focus.pixel, 101).replace(/<br>.*<\/code>/, "")}</div>
-      <ol>${questions.map(q => `<li><p><span class="soft">${stages[q.s]}.</span> ${escape_html(q.text)}</p><p>${blank(q)}</p></li>`).join("")}</ol></div>
+      <ol>${questions.map(q => `<li><p><span class="soft">${stages[q.s]}.</span> ${escape_html(q.text)} <span class="given">${q.given}</span></p><p>${blank(q)}</p></li>`).join("")}</ol></div>
       <div class="sheet key"><h2>Answers</h2><ol>${questions.map(q => `<li><p><b>${short_text(q.answer)}</b>. ${escape_html(q.why)} <a href="${q.address}">Step there</a></p></li>`).join("")}</ol></div>`;
     sheet.hidden = false;
     document.getElementById("stepper").hidden = scrubber.hidden = true;
