@@ -352,6 +352,12 @@ inline IntPack<N> round_to_int(FloatPack<N> x) {
 /// The largest integer not above x, as an integer. |x| < 2^31.
 template <class F>
 inline Int<F> floor_to_int(F x) {
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (lanes<F> == 8)
+        return truncate_to_int(F(detail::bits<typename F::V>(_mm256_floor_ps(detail::bits<__m256>(x.v)))));
+    if constexpr (detail::is_pair<lanes<F>>)
+        return detail::by_halves<Int<F>>([](auto x) { return floor_to_int(x); }, x);
+#endif
     const Int<F> t = truncate_to_int(x);
     return select(to_float(t) > x, t - Int<F>(1), t);
 }

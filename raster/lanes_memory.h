@@ -78,6 +78,39 @@ inline IntPack<N> gather(const std::int32_t* base, IntPack<N> index) {
     return r;
 }
 
+/// base[index] and base[index + 1] in each lane: neighbours in memory cost one load.
+inline void gather2(const std::int32_t* base, std::int32_t index, std::int32_t& a, std::int32_t& b) {
+    a = base[index], b = base[index + 1];
+}
+template <int N>
+inline void gather2(const std::int32_t* base, IntPack<N> index, IntPack<N>& a, IntPack<N>& b) {
+    if constexpr (detail::is_pair<N>) {
+        IntPack<N / 2> a0, b0, a1, b1;
+        gather2(base, detail::half(index, 0), a0, b0);
+        gather2(base, detail::half(index, 1), a1, b1);
+        a.v = {a0.v, a1.v}, b.v = {b0.v, b1.v};
+        return;
+    }
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8) {
+        alignas(32) std::int32_t at[8];
+        store_int(at, index);
+        const auto two = [&](int i) {
+            const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(base + at[i]));
+            const __m128i high = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(base + at[i + 1]));
+            return _mm_castsi128_ps(_mm_unpacklo_epi64(low, high));
+        };
+        const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(two(0)), two(4), 1);
+        const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(two(2)), two(6), 1);
+        using V = typename IntPack<N>::V;
+        a.v = detail::bits<V>(_mm256_shuffle_ps(even, odd, 0x88));
+        b.v = detail::bits<V>(_mm256_shuffle_ps(even, odd, 0xdd));
+        return;
+    }
+#endif
+    for (int i = 0; i < N; ++i) a.v[i] = base[index.v[i]], b.v[i] = base[index.v[i] + 1];
+}
+
 /// Four consecutive floats at base + 4 * index in each lane, transposed: record i's four floats end in lane i of a, b, c, d.
 inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d) {
     const float* p = base + 4 * std::ptrdiff_t(index);

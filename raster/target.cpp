@@ -2,6 +2,7 @@
 #include <raster/target.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace raster {
 
@@ -23,14 +24,17 @@ void Target::write_clear(std::size_t index, int count) {
     for (auto& plane : extra_) std::fill_n(plane.data() + index, n, 0.0f);
 }
 
-void Target::write_clear_tile(int x, int y, int size) {
-    const int columns = std::min(size, width_ - x);
-    for (int row = y; row < std::min(y + size, height_); ++row) write_clear(index(x, row), columns);
+void Target::write_clear_box(int x, int y, int width, int height) {
+    const int columns = std::min(width, width_ - x);
+    for (int row = y; row < std::min(y + height, height_); ++row) write_clear(index(x, row), columns);
 }
 
 void Target::write_pending_clear() {
+    static std::mutex one_writer;
+    const std::lock_guard lock(one_writer);
+    if (!pending_) return;
     for (int row = 0; row < height_; ++row) write_clear(index(0, row), width_);
-    pending_ = false;
+    std::atomic_ref(pending_).store(false, std::memory_order_release);
 }
 
 glm::vec4 Target::color(int x, int y) const {

@@ -1,6 +1,7 @@
 // target.h: what is drawn into: a colour plane, a depth plane and any number of extra float planes.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -93,7 +94,7 @@ public:
     bool clear_is_pending() const { return pending_; }
     std::uint32_t pending_depth() const { return pending_depth_; }
     void write_clear(std::size_t index, int count);
-    void write_clear_tile(int x, int y, int size);
+    void write_clear_box(int x, int y, int width, int height);
     void clear_was_written() { pending_ = false; }
     std::uint32_t* raw_color8() { return color8_.data(); }
     glm::vec4* raw_color_float() { return color_float_.data(); }
@@ -105,9 +106,9 @@ public:
 
 private:
     std::size_t pixels() const { return std::size_t(width_) * std::size_t(height_); }
-    /// This target with nothing pending.
+    /// This target with nothing pending. Several threads may look at once, and the first writes the clear.
     Target& finished() {
-        if (pending_) write_pending_clear();
+        if (std::atomic_ref(pending_).load(std::memory_order_acquire)) write_pending_clear();
         return *this;
     }
     const Target& finished() const { return const_cast<Target*>(this)->finished(); }

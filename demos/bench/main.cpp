@@ -2,6 +2,7 @@
 //
 // llvmpipe reads its thread count once a process, so each configuration runs in a child process of its own.
 #include <malloc.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <time.h>
 #include <unistd.h>
@@ -32,6 +33,7 @@ struct Options {
     bool as_json = false;
     bool child = false;
     bool alone = false;           ///< ours only, for profiling
+    bool first = false;           ///< instead: from nothing to the first frame, each in a process of its own
     bool processor_time = false;  ///< count the time of this process on all processors, where a machine is shared
 };
 
@@ -44,6 +46,13 @@ double milliseconds(const Options& options, const auto& work) {
     return double(end.tv_sec - start.tv_sec) * 1e3 + double(end.tv_nsec - start.tv_nsec) / 1e6;
 }
 
+/// The most memory that this process has had.
+std::size_t peak_bytes() {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return std::size_t(usage.ru_maxrss) * 1024;
+}
+
 double median(std::vector<double> v) {
     std::sort(v.begin(), v.end());
     return v.empty() ? 0 : v[v.size() / 2];
@@ -54,15 +63,23 @@ json measure(const Options& options, const std::string& name, int width, int hei
     auto scene = bench::make_scene(name, options.bunny);
     if (!scene) return {{"error", scene.error().message}};
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-    bench::Ours ours(*scene, width, height);
     json row{{"scene", name}, {"what", scene->what}, {"width", width}, {"height", height}, {"threads", threads},
              {"triangles", scene->indices.size() / 3}};
+    if (options.first) {
+        const auto ours = [&] { bench::Ours(*scene, width, height).frame(); };
+        const auto rival = [&] { bench::Rival(*scene, width, height).frame(); };
+        row["ms"] = options.alone ? milliseconds(options, ours) : milliseconds(options, rival);
+        return row;
+    }
+    bench::Ours ours(*scene, width, height);
     if (options.alone) {
         std::vector<double> times;
         for (int i = 0; i < options.warm_up; ++i) ours.frame();
         for (int i = 0; i < options.frames; ++i) times.push_back(milliseconds(options, [&] { ours.frame(); }));
         row["ours_best"] = *std::min_element(times.begin(), times.end());
         row["ours_median"] = median(times);
+        row["scratch_bytes"] = ours.scratch_bytes();
+        row["peak_bytes"] = peak_bytes();
         return row;
     }
     bench::Rival rival(*scene, width, height);
@@ -115,12 +132,24 @@ json run_child(const std::string& arguments, int rival_threads) {
     return result.is_discarded() ? json{{"error", "a child process failed"}} : result;
 }
 
+/// The time from nothing to the first frame: a target or a context made, shaders compiled, one frame.
+json run_first(const std::string& arguments) {
+    const json ours = run_child(arguments + " --first --alone", 0);
+    json row = run_child(arguments + " --first", 0);
+    if (ours.contains("error") || row.contains("error")) return ours.contains("error") ? ours : row;
+    row["ours_best"] = ours["ms"];
+    row["rival_best"] = row["ms"];
+    row["ratio"] = double(row["ms"]) / double(ours["ms"]);
+    return row;
+}
+
 /// One line of the table. With two threads the rival may use its better setting of one or two raster threads.
 json run(const Options& options, const std::string& scene, int width, int height, int threads) {
     const std::string arguments = "--scene " + scene + " --size " + std::to_string(width) + "x" + std::to_string(height) +
                                   " --threads " + std::to_string(threads) + " --frames " + std::to_string(options.frames) +
                                   " --warm-up " + std::to_string(options.warm_up) + " --bunny '" + options.bunny + "'" +
                                   (options.alone ? " --alone" : "") + (options.processor_time ? " --processor-time" : "");
+    if (options.first) return run_first(arguments);
     if (threads == 1 || options.alone) return run_child(arguments, 0);
     json best = run_child(arguments, 1);
     const json other = run_child(arguments, threads);
@@ -143,12 +172,14 @@ std::vector<std::string> split(const std::string& text, char by) {
 
 const char* const help =
     "raster_bench: this library against llvmpipe, in turn, from clear to finished pixels\n"
-    "  --scene A,B      scenes (default all: clear s1 s2 s3 s4 s4q s5 s6b s6a s6f s7 s7d)\n"
+    "  --scene A,B      scenes (default all: clear s1 s2 s3 s4 s4q s5 s6b s6a s6f s7 s7d);\n"
+    "                   also torus:N, of about N triangles, and layers:N, of N quads\n"
     "  --size WxH,...   default 640x480,1920x1080\n"
     "  --threads N,...  default 1,2\n"
     "  --frames N       counted frames (default 15), after --warm-up N (default 3)\n"
     "  --bunny FILE     the OBJ file of s2, s3, s5, s7d (default: that of Debian's glmark2-data)\n"
     "  --processor-time time on processors, not on the clock: for a shared machine, with one thread\n"
+    "  --first          from nothing to the first frame: target or context made, shaders compiled\n"
     "  --alone          ours only, for profiling\n"
     "  --json           figures as JSON\n";
 
@@ -161,6 +192,8 @@ bool parse(int argc, char** argv, Options& options) {
             options.child = true;
         } else if (flag == "--alone") {
             options.alone = true;
+        } else if (flag == "--first") {
+            options.first = true;
         } else if (flag == "--processor-time") {
             options.processor_time = true;
         } else if (i + 1 < argc) {

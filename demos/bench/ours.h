@@ -17,6 +17,8 @@ public:
     void frame();
     const std::vector<std::uint32_t>& color() { return target_.color8(); }
     const std::vector<std::uint32_t>& depth() { return target_.depth(); }
+    /// What the library keeps between frames besides the target's planes.
+    std::size_t scratch_bytes() { return target_.scratch().bytes(); }
 
 private:
     const Scene& scene_;

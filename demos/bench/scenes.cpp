@@ -2,6 +2,8 @@
 #include "scenes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 #include <raster/scene/obj.h>
@@ -88,16 +90,23 @@ void cube_and_ground(Scene& scene) {
     scene.eye_from_world = ground_camera();
 }
 
-void layers(Scene& scene, bool back_to_front) {
+void layers(Scene& scene, int count, bool back_to_front) {
     scene.shading = Shading::flat_color;
     scene.cull_back = false;
-    for (int i = 0; i < 64; ++i) {
-        const float z = -1.0f - 0.5f * float(back_to_front ? 63 - i : i);
+    for (int i = 0; i < count; ++i) {
+        const float z = -1.0f - 32.0f * float(back_to_front ? count - 1 - i : i) / float(count);
         const float reach = -z * 2.0f;
         add_quad(scene, {-reach, -reach, z}, {2 * reach, 0, 0}, {0, 2 * reach, 0});
     }
 }
 
+}  // namespace
+
+namespace {
+/// The number that follows a scene's kind in its name; 0 for another kind, and for what is no number.
+int number_after(const std::string& kind, const std::string& name) {
+    return name.rfind(kind, 0) == 0 ? std::atoi(name.c_str() + kind.size()) : 0;
+}
 }  // namespace
 
 glm::vec3 to_light_eye() { return glm::normalize(glm::vec3(0.4f, 0.7f, 1.0f)); }
@@ -149,14 +158,14 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
         scene.shading = Shading::gouraud;
     } else if (name == "s6b") {
         scene.what = "64 full-screen quads, back to front";
-        layers(scene, true);
+        layers(scene, 64, true);
     } else if (name == "s6a") {
         scene.what = "64 full-screen quads, blended";
-        layers(scene, true);
+        layers(scene, 64, true);
         scene.blend = true;
     } else if (name == "s6f") {
         scene.what = "64 full-screen quads, front to back";
-        layers(scene, false);
+        layers(scene, 64, false);
     } else if (name == "s7") {
         scene.what = "torus of 100,000 triangles, depth only";
         scene.shading = Shading::none;
@@ -165,6 +174,15 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
     } else if (name == "s7d") {
         scene.what = "s5's mesh, depth only";
         scene.shading = Shading::none;
+    } else if (const int count = number_after("torus:", name); count > 0) {
+        scene.what = "torus, Gouraud";
+        scene.shading = Shading::gouraud;
+        const int across = std::max(3, int(std::lround(std::sqrt(double(count) / 2.5))));
+        take(scene, raster::torus(0.4f, across, std::max(3, count / 2 / across)));
+        place_model(scene);
+    } else if (const int count = number_after("layers:", name); count > 0) {
+        scene.what = "full-screen quads, back to front";
+        layers(scene, count, true);
     } else {
         return raster::Error{raster::ErrorKind::usage, "no scene named '" + name + "'"};
     }

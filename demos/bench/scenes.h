@@ -42,7 +42,7 @@ glm::mat4 projection(int width, int height);
 /// The names of all scenes, in the order of the table.
 std::vector<std::string> scene_names();
 
-/// Builds a scene; `bunny` is the path of an OBJ file that the scenes s2, s3, s5 and s7d show.
+/// Builds a scene, one of those or "torus:N" of about N triangles or "layers:N" of N quads; `bunny` is the path of an OBJ file that the scenes s2, s3, s5 and s7d show.
 raster::Result<Scene> make_scene(const std::string& name, const std::string& bunny);
 
 /// The texture of textured scenes: 1024 x 1024 RGBA.

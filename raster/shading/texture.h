@@ -156,19 +156,26 @@ inline vec<4, F> sample(const TextureView& texture, const vec<2, F>& uv) {
     using namespace detail;
     const Int<F> width(texture.width);
     const Int<F> top(texture.height - 1);  // v points up and rows go down
-    const auto fetch = [&](const Int<F>& column, const Int<F>& row) {
-        return unpack_texel<F>(texture, gather(texture.texels, (top - row) * width + column));
-    };
     vec<4, F> value;
     if (texture.filter == Filter::nearest) {
-        value =
-            fetch(nearest_texel(texture.wrap, uv.x, texture.width), nearest_texel(texture.wrap, uv.y, texture.height));
+        Int<F> column = nearest_texel(texture.wrap, uv.x, texture.width), row = nearest_texel(texture.wrap, uv.y, texture.height);
+        value = unpack_texel<F>(texture, gather(texture.texels, (top - row) * width + column));
     } else {
         TexelPair<F> u = neighbour_texels(texture.wrap, uv.x, texture.width);
         TexelPair<F> v = neighbour_texels(texture.wrap, uv.y, texture.height);
+        const bool adjacent = all(u.second == u.first + Int<F>(1));  // else some lane goes around the edge
         const auto mix = [](const vec<4, F>& a, const vec<4, F>& b, F t) { return a + (b - a) * t; };
-        value = mix(mix(fetch(u.first, v.first), fetch(u.second, v.first), u.weight),
-                    mix(fetch(u.first, v.second), fetch(u.second, v.second), u.weight), v.weight);
+        const auto row_value = [&](Int<F> row) {
+            Int<F> start = (top - row) * width, first, second;
+            if (adjacent) {
+                gather2(texture.texels, start + u.first, first, second);
+            } else {
+                first = gather(texture.texels, start + u.first), second = gather(texture.texels, start + u.second);
+            }
+            return mix(unpack_texel<F>(texture, first), unpack_texel<F>(texture, second), u.weight);
+        };
+        vec<4, F> below = row_value(v.first);
+        value = mix(below, row_value(v.second), v.weight);
     }
     const F unit(1.0f / 255.0f);
     const F color_unit = texture.decode ? F(1) : unit;

@@ -20,7 +20,9 @@ struct DepthRange {
 template <class F>
 inline Mask<F> is_tame(const DepthPlane<F>& p) {
     const F limit(1e30f);
-    return Mask<F>((abs(p.origin) < limit) & (abs(p.dadx) < limit) & (abs(p.dady) < limit) & (abs(p.offset) < limit));
+    const Mask<F> origin = abs(p.origin) < limit, dadx = abs(p.dadx) < limit, dady = abs(p.dady) < limit;
+    const Mask<F> offset = abs(p.offset) < limit;
+    return Mask<F>(origin & dadx & dady & offset);
 }
 
 /// The smallest and the largest depth of a plane over the pixels x0..x1, y0..y1, encoded. Each rounding in value_at and

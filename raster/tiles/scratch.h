@@ -25,6 +25,8 @@ public:
         return {reinterpret_cast<T*>(bytes_.get()), count};
     }
 
+    std::size_t bytes() const { return size_; }
+
 private:
     std::unique_ptr<std::byte[]> bytes_;
     std::size_t size_ = 0;
@@ -51,12 +53,25 @@ struct ChunkBins {
     std::vector<std::uint32_t> offsets;
     std::vector<std::uint32_t> entries;
     std::vector<LargeTriangle> large;
+
+    std::size_t bytes() const {
+        return pairs.capacity() * sizeof(BinPair) + (offsets.capacity() + entries.capacity()) * sizeof(std::uint32_t) +
+               large.capacity() * sizeof(LargeTriangle);
+    }
 };
 
 /// What a draw needs between its phases.
 struct Scratch {
     ScratchBuffer window, outcodes, varyings;
     std::vector<ChunkBins> chunks;
+    std::vector<char> touched;
+
+    /// How much memory it holds.
+    std::size_t bytes() const {
+        std::size_t sum = window.bytes() + outcodes.bytes() + varyings.bytes() + touched.capacity();
+        for (const ChunkBins& c : chunks) sum += c.bytes();
+        return sum;
+    }
 };
 
 }  // namespace raster::tiles

@@ -17,6 +17,7 @@ template <Shader S>
 struct ShadingContext {
     const DrawContext& draw;
     std::span<const ChunkBins> chunks;
+    std::span<const char> touched;  ///< a tile: whether any chunk has entries for it
     const S& shader;
     std::span<const VaryingArray<S>> varyings;
     std::span<const std::vector<std::array<VaryingArray<S>, 3>>> piece_varyings;
