@@ -3,12 +3,16 @@
 #   bash demos/run.sh gallery          full size
 #   bash demos/run.sh gallery --docs   small ones and their page, docs/gallery.md
 #
-# $RASTER may name a raster program that is built already.
+# $RASTER and $CURVES may name the programs raster and raster_curves where they are built already.
 small=
 if [ "${1:-}" = --docs ]; then small=yes; fi
 install_packages "${build_packages[@]}" "${model_packages[@]}" gnuplot-nox
 raster=${RASTER:-build/demo/raster/tool/raster}
-[ -n "${RASTER:-}" ] || configure_and_build demo -DRASTER_MARCH="$march"
+curves=${CURVES:-build/demo/demos/gallery/raster_curves}
+if [ -z "${RASTER:-}" ]; then
+    configure_and_build demo -DRASTER_MARCH="$march"
+    cmake --build build/demo --target raster_curves -j "$(nproc)"
+fi
 folder=out/gallery
 page=out/gallery/index.html
 if [ -n "$small" ]; then
@@ -114,6 +118,7 @@ HTML
 fi
 echo "Figures:"
 . demos/gallery/figures.sh
+. demos/gallery/physical.sh
 [ -n "$small" ] || put "</body></html>"
 cp "$new_page" "$page"
 chmod 644 "$page"
