@@ -153,7 +153,8 @@ RenderOptions PictureFlags::options_for(Model& model) const {
 
 Display PictureFlags::display_for(const Model& model, const RenderOptions& changed) const {
     const auto is_physical = [&](const Material& material) {
-        return !is_empirical(find_reflectance(material.reflectance).value_or(changed.reflectance));
+        return material.physically_based ||
+               !is_empirical(find_reflectance(material.reflectance).value_or(changed.reflectance));
     };
     const bool physical = model.materials.empty() ? is_physical(changed.default_material)
                                                   : std::ranges::any_of(model.materials, is_physical);

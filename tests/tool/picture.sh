@@ -198,6 +198,28 @@ test_the_display_encodes_light_and_leaves_the_background() {
     expect 2 'STOPS|from -30 to 30' render t.obj --exposure 31
 }
 
+test_the_display_is_srgb_where_a_material_is_physical() {
+    draw plain.ppm --display plain
+    draw auto.ppm
+    same plain.ppm auto.ppm
+    for flags in '--material gold' '--reflectance oren-nayar'; do
+        # shellcheck disable=SC2086
+        draw auto.ppm $flags
+        # shellcheck disable=SC2086
+        draw srgb.ppm $flags --display srgb
+        same auto.ppm srgb.ppm
+    done
+    printf 'newmtl a\nKd 0.5 0.5 0.5\nPr 0.5\n' >t.mtl
+    printf 'mtllib t.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >t.obj
+    expect 0 '' render t.obj --size 32x24 -o auto.ppm
+    expect 0 '' render t.obj --size 32x24 -o srgb.ppm --display srgb
+    same auto.ppm srgb.ppm
+    sed -i /Pr/d t.mtl
+    expect 0 '' render t.obj --size 32x24 -o auto.ppm
+    expect 0 '' render t.obj --size 32x24 -o srgb.ppm --display srgb
+    differ auto.ppm srgb.ppm
+}
+
 test_textures_are_decoded_for_an_srgb_display_only() {
     cp "$SOURCE"/models/checker* .
     expect 0 '' render checker_cube.obj --size 40x30 -o plain.pfm --display plain
