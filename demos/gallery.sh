@@ -104,7 +104,7 @@ else
 <title>raster: the gallery</title>
 <style>
 :root { color-scheme: light dark; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 1000px; margin: 2em auto; padding: 0 1em; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 1060px; margin: 2em auto; padding: 0 1em; }
 h2 { margin-top: 2em; border-top: 1px solid #8886; padding-top: 1em; }
 p { max-width: 46em; }
 figure { display: inline-block; vertical-align: top; margin: 0 1em 1em 0; max-width: 100%; }
