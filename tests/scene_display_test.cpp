@@ -54,7 +54,8 @@ TEST(Display, AStopDoublesTheLightAndLeavesAlpha) {
 }
 
 TEST(Display, HalfTheLightIsByte188InSrgb) {
-    EXPECT_EQ(displayed(light_of({{0.5f, 0.25f, 1, 1}}), {true, 0}).color8()[0], 188u | 137u << 8 | 255u << 16 | 255u << 24);
+    const Target shown = displayed(light_of({{0.5f, 0.25f, 1, 1}}), {true, 0});
+    EXPECT_EQ(shown.color8()[0], 188u | 137u << 8 | 255u << 16 | 255u << 24);
     EXPECT_EQ(displayed(light_of({{0.25f, 0, 0, 1}}), {true, 1}).color8()[0] & 255u, 188u);
 }
 

@@ -1,9 +1,9 @@
 // curves.cpp: what the reflectance models give, as tables for a plotting program.
 //
-//   raster_curves fresnel             angle in degrees; glass n = 1.5 from outside and from inside; then red, green and blue
-//                                     of gold, copper and aluminium
-//   raster_curves lobes ANGLE NAME... light at that angle from the normal: the viewer's angle, and for each material the
-//                                     red channel of diffuse plus specular reflectance
+//   raster_curves fresnel
+//     angle in degrees; glass n = 1.5 from outside and from inside; red, green and blue of gold, copper and aluminium
+//   raster_curves lobes ANGLE NAME...
+//     light at that angle from the normal: the viewer's angle; of each material the red channel of diffuse + specular
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -24,10 +24,12 @@ glm::vec3 direction(double degrees) {
 }
 
 int print_fresnel() {
-    const std::optional<Material> metals[] = {find_material("gold"), find_material("copper"), find_material("aluminium")};
+    const std::optional<Material> metals[] = {find_material("gold"), find_material("copper"),
+                                              find_material("aluminium")};
     for (int angle = 0; angle <= 90; ++angle) {
         const float c = float(sin_cos_degrees(angle).cos);
-        std::printf("%d %.6f %.6f", angle, double(fresnel_dielectric(c, 1.5f)), double(fresnel_dielectric(c, 1 / 1.5f)));
+        const float outside = fresnel_dielectric(c, 1.5f), inside = fresnel_dielectric(c, 1 / 1.5f);
+        std::printf("%d %.6f %.6f", angle, double(outside), double(inside));
         for (const auto& metal : metals) {
             const vec<3, float> f = Fresnel{}.with_material(*metal)(c);
             std::printf(" %.6f %.6f %.6f", double(f.x), double(f.y), double(f.z));

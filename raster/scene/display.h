@@ -1,7 +1,7 @@
 // display.h: from the light that was computed to the bytes that a screen wants: exposure and the sRGB transfer.
 //
-// All shading is done on linear values. The lectures' empirical models put them on the screen as they are, clamped at 1;
-// that is the plain display. What is meant as radiance goes through the transfer function of sRGB (IEC 61966-2-1), the
+// All shading is done on linear values. The empirical models put them on the screen as they are, clamped at 1; that is
+// the plain display. What is meant as radiance goes through the transfer function of sRGB (IEC 61966-2-1), the
 // inverse of which textures went through when they were painted.
 #pragma once
 

@@ -28,8 +28,8 @@ struct Shape {
 /// All shapes: box, sphere, vase, teapot, ... A new one is one entry.
 std::span<const Shape> shape_list();
 
-/// Makes a shape; what `values` leaves out has its default. Errors, of kind usage: a name that there is not, a parameter
-/// that it does not have, a value out of its range.
+/// Makes a shape; what `values` leaves out has its default. Errors, of kind usage: a name that there is not, a
+/// parameter that it does not have, a value out of its range.
 Result<Model> make_shape(std::string_view name, std::span<const std::pair<std::string, double>> values = {});
 
 }  // namespace raster

@@ -95,7 +95,7 @@ private:
     std::size_t next_place() {
         std::size_t place = last_;
         const std::string& text = document_.text;
-        while (place < text.size() && std::string_view(" \t\r\n,:").find(text[place]) != std::string_view::npos) ++place;
+        while (place < text.size() && std::string_view(" \t\r\n,:").find(text[place]) != text.npos) ++place;
         last_ = read_;
         return place;
     }

@@ -60,7 +60,8 @@ Result<glm::mat4> read_scale(const JsonDocument& document, const JsonNode& node)
         if (!read) return read.error();
         factors = *read;
     }
-    if (factors.x == 0 || factors.y == 0 || factors.z == 0) return document.error_at(node, "scaled by 0 nothing is left");
+    if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+        return document.error_at(node, "scaled by 0 nothing is left");
     return scale(factors);
 }
 

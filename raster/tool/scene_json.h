@@ -1,4 +1,4 @@
-// scene_json.h: values of a scene file: checked members, vectors, transforms, and the words the command line has for them.
+// scene_json.h: values of a scene file: checked members, vectors, transforms, and the command line's words for them.
 #pragma once
 
 #include <span>

@@ -129,8 +129,8 @@ private:
         if (const auto found = finder_.find(node.text, finder_.folder()); !found) {
             const std::string& why = found.error().message;
             const bool outside = why.starts_with("refused: leads out");
-            return at(node, node.text + ": " + (outside ? "refused: leads out of the scene's folder; see --allow-outside"
-                                                        : why));
+            const char* const refused = "refused: leads out of the scene's folder; see --allow-outside";
+            return at(node, node.text + ": " + (outside ? refused : why));
         }
         const std::string path = (std::filesystem::path(document_.path).parent_path() / node.text).string();
         ObjOptions options = options_;
