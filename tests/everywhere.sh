@@ -7,8 +7,9 @@
 #
 # Each build compiles the library and tests/everywhere/ from their sources, on one thread and with stand-ins for the
 # libraries that a foreign processor would need. Exit code 0 when every scene of every build has the hash that stands in
-# tests/everywhere/hashes.txt, else 1. What was built stays in build/everywhere and is used again where nothing changed.
+# tests/everywhere/hashes.txt, else 1.
 set -uo pipefail
+shopt -s extglob
 cd "$(dirname "$0")/.."
 . demos/setup.sh
 
@@ -58,24 +59,13 @@ export NODE_PATH=/usr/share/nodejs
 unset EM_CACHE
 
 sources=(tests/everywhere/*.cpp raster/target.cpp raster/tiles/*.cpp raster/shading/*.cpp raster/visibility/*.cpp
-    raster/scene/*.cpp raster/image/{decode,file,png_reader,pnm,stb_reader}.cpp)
-compile() { # FOLDER SOURCE COMMAND...: an object file, unless it is newer than all that it was made from
-    local folder=$1 source=$2 object
-    shift 2
-    object=$folder/${source//\//_}.o
-    if [ -e "$object" ] && [ -e "$object.d" ] &&
-        [ -z "$(sed 's/^[^:]*://; s/\\$//' "$object.d" | xargs find -newer "$object" -maxdepth 0 2>&1)" ]; then
-        return 0
-    fi
-    "$@" -c "$source" -o "$object" -MMD -MF "$object.d" || { rm -f "$object"; return 1; }
-}
-export -f compile
-
-# build NAME COMMAND...: the program, in $out/NAME/everywhere
+    raster/scene/!(observe*).cpp raster/image/{decode,file,png_reader,pnm,stb_reader}.cpp)
+# build NAME COMMAND...: the program, $out/NAME/everywhere
 build() {
     local name=$1 folder=$out/$1 program=everywhere link=()
     shift
     [[ $name != wasm* ]] || program=everywhere.js
+    rm -rf "$folder"
     mkdir -p "$folder"
     local word command=()
     for word in "$@"; do
@@ -85,9 +75,12 @@ build() {
         esac
     done
     command+=(-std=c++20 -ffp-contract=off -DRASTER_NO_THREADS -w -I. -Itests -Imodels -isystem "$out/include")
-    command -v ccache >/dev/null && [[ $name != wasm* ]] && command=(ccache "${command[@]}")
-    printf '%s\n' "${sources[@]}" |
-        xargs -P "${RASTER_JOBS:-$(nproc)}" -I{} bash -c 'compile "$@"' - "$folder" {} "${command[@]}" &&
+    # Precompiled: g++ and clang find common.h.gch when common.h is included first.
+    cp tests/everywhere/common.h "$folder/common.h"
+    "${command[@]}" -x c++-header "$folder/common.h" -o "$folder/common.h.gch" || return 1
+    printf '%s\n' "${sources[@]}" | xargs -P "${RASTER_JOBS:-$(nproc)}" -I{} bash -c \
+        'source=$1; folder=$2; shift 2; exec "$@" -include "$folder/common.h" -c "$source" -o "$folder/${source//\//_}.o"' \
+        - {} "$folder" "${command[@]}" &&
         "${command[@]}" "${link[@]}" "$folder"/*.o -o "$folder/$program"
 }
 

@@ -33,7 +33,7 @@ Scene scene(const std::string& name, const Make& make, ColorFormat color = Color
                 for (int i = 0; i < 4; ++i) {
                     State state;
                     const Vertices vertices = make(random, state, i);
-                    hash.add(draw(target, S{}, Mesh(vertices), state));
+                    hash.add(draw(target, S{}, Mesh{vertices}, state));
                 }
                 hash.add(target);
             }};
@@ -70,7 +70,7 @@ Scene observed_scene() {
                 } count;
                 for (int i = 0; i < 6; ++i) {
                     const Vertices vertices = testing::mixed_scene(random, 12, width, height, true);
-                    hash.add(draw(target, testing::Full{}, Mesh(vertices), testing::random_state(random), count));
+                    hash.add(draw(target, testing::Full{}, Mesh{vertices}, testing::random_state(random), count));
                 }
                 hash.add(count.covered);
                 hash.add(target);
@@ -105,7 +105,7 @@ Scene texture_scene(const std::string& name, Wrap wrap, Filter filter, bool srgb
                 const Textured shader{TextureView(image, wrap, filter, srgb ? srgb_decode_table() : nullptr)};
                 Target target(width, height);
                 const Vertices vertices = triangles(random, Group::perspective, 30);
-                hash.add(draw(target, shader, Mesh(vertices), State{}));
+                hash.add(draw(target, shader, Mesh{vertices}, State{}));
                 hash.add(target);
             }};
 }
