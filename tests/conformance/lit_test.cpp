@@ -8,8 +8,9 @@
 #include <raster/scene/obj.h>
 #include <raster/scene/shapes.h>
 
-#include "lit_gl.h"
 #include "random.h"
+#include "scene.h"
+#include "opengl_picture.h"
 
 namespace {
 
@@ -133,6 +134,8 @@ std::vector<LitScene> file_scenes() {
 }
 
 void compare_all(const std::vector<LitScene>& scenes) {
+    const auto gl = tool::OpenGl::make();
+    ASSERT_TRUE(gl) << gl.error().message;
     for (const LitScene& s : scenes) {
         const auto camera =
             camera_matrices(with_planes_around(s.camera, bounding_box(s.model)), double(width) / height);
@@ -140,7 +143,9 @@ void compare_all(const std::vector<LitScene>& scenes) {
         Target target(width, height);
         render(target, s.model, *camera, s.options);
         const Picture ours{target.color8(), target.depth()};
-        const Picture theirs = render_lit(Oracle::instance(), s.model, *camera, s.options, width, height);
+        const auto opengl = tool::render_by_opengl(**gl, s.model, *camera, s.options, width, height);
+        ASSERT_TRUE(opengl) << s.name << ": " << opengl.error().message;
+        const Picture theirs{opengl->color, opengl->depth};
         const Difference difference = compare(ours, theirs);
         EXPECT_EQ(difference.depth_pixels, 0u) << s.name;
         EXPECT_LE(difference.largest, 1) << s.name;

@@ -208,7 +208,7 @@ unsigned Oracle::program(const std::string& vertex, const std::string& fragment)
     attach(GL_VERTEX_SHADER, vertex);
     attach(GL_FRAGMENT_SHADER, fragment);
     GLuint place = 0;
-    for (const char* attribute : {"position", "color", "uv", "normal", "face_a", "face_b", "face_c"})
+    for (const char* attribute : {"position", "color", "uv"})
         glBindAttribLocation(program, place++, attribute);
     glLinkProgram(program);
     GLint good = 0;

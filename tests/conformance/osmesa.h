@@ -31,8 +31,7 @@ public:
         return end();
     }
 
-    /// A program from GLSL sources, compiled once. Attributes 0 to 6 are `position`, `color`, `uv`, `normal`, and the
-    /// corners of a vertex's triangle: `face_a`, `face_b`, `face_c`.
+    /// A program from GLSL sources, compiled once. Attributes 0 to 2 are `position`, `color` and `uv`.
     unsigned program(const std::string& vertex, const std::string& fragment);
 
     /// Makes a texture current in a texture unit.
