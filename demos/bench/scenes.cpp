@@ -180,9 +180,9 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
         const int across = std::max(3, int(std::lround(std::sqrt(double(count) / 2.5))));
         take(scene, raster::torus(0.4f, across, std::max(3, count / 2 / across)));
         place_model(scene);
-    } else if (const int count = number_after("layers:", name); count > 0) {
+    } else if (const int quads = number_after("layers:", name); quads > 0) {
         scene.what = "full-screen quads, back to front";
-        layers(scene, count, true);
+        layers(scene, quads, true);
     } else {
         return raster::Error{raster::ErrorKind::usage, "no scene named '" + name + "'"};
     }
