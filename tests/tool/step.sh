@@ -65,6 +65,18 @@ test_strange_names_stay_text() {
     if grep -qF 'a<b>' t.html; then failed 'the name is markup'; fi
 }
 
+test_the_lessons_can_be_followed() {
+    local lesson command count=0
+    for lesson in "$SOURCE"/docs/lessons/[0-9]*.md; do
+        while read -r command; do
+            # shellcheck disable=SC2086
+            expect 0 '' ${command#raster }
+            count=$((count + 1))
+        done < <(sed -n '/^```sh$/,/^```$/{/^raster /p}' "$lesson")
+    done
+    [ "$count" -ge 12 ] || failed "only $count commands in the lessons"
+}
+
 # Needs node, chromium and, once, the npm packages, which are kept outside of the tree.
 test_the_page_in_a_browser() {
     local modules=${RASTER_NPM:-${XDG_CACHE_HOME:-$HOME/.cache}/raster-npm}
