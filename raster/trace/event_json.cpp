@@ -156,8 +156,10 @@ void write_rows(JsonWriter& json, const glm::mat4& m) {
 }
 
 const char* word_for(ClipPlane plane) {
-    constexpr const char* words[] = {"right", "left", "top", "bottom", "near", "far"};
-    return int(plane) < clip_plane_count ? words[int(plane)] : "user";
+    constexpr const char* words[] = {"right", "left",  "top",   "bottom", "near",  "far",   "user1",
+                                     "user2", "user3", "user4", "user5",  "user6", "user7", "user8"};
+    static_assert(std::size(words) == max_clip_planes);
+    return words[int(plane)];
 }
 const char* word_for(ClipEvent::Verdict verdict) {
     constexpr const char* words[] = {"inside", "not_finite", "outside", "clipped"};

@@ -44,8 +44,8 @@ public:
     /// The planes beyond which a triangle lies at this pixel; nothing where it is not in front of the eye there, or
     /// inside the volume. In homogeneous coordinates (Olano and Greer 1997), since what is clipped away was never
     /// divided by w.
-    std::vector<ClipPlane> cutting_planes(const std::array<glm::vec4, 3>& clip, const Viewport& viewport) const {
-        const Viewport v = effective_viewport(viewport, width_, height_);
+    std::vector<ClipPlane> cutting_planes(const std::array<glm::vec4, 3>& clip, const State& state) const {
+        const Viewport v = effective_viewport(state.viewport, width_, height_);
         const glm::dvec3 p((x_ + 0.5 - v.x) / v.width * 2 - 1, 1 - (y_ + 0.5 - v.y) / v.height * 2, 1);
         std::array<glm::dvec3, 3> c;
         for (std::size_t i = 0; i < 3; ++i) c[i] = {clip[i].x, clip[i].y, clip[i].w};
@@ -60,6 +60,9 @@ public:
         std::vector<ClipPlane> planes;
         for (const ClipPlane plane : {ClipPlane::near, ClipPlane::far})
             if (glm::dot(glm::dvec4(clip_planes[std::size_t(plane)]), there) < 0) planes.push_back(plane);
+        for (std::size_t i = 0; i < std::min(state.clip_planes.size(), std::size_t(max_user_planes)); ++i)
+            if (glm::dot(glm::dvec4(state.clip_planes[i]), there) < 0)
+                planes.push_back(ClipPlane(clip_plane_count + int(i)));
         return planes;
     }
 
@@ -87,7 +90,7 @@ public:
 
 private:
     void see_clipped(const RecordedDraw& draw, const RecordedTriangle& t) {
-        std::vector<ClipPlane> planes = place_.cutting_planes(t.clip->clip, draw.state.viewport);
+        std::vector<ClipPlane> planes = place_.cutting_planes(t.clip->clip, draw.state);
         if (planes.empty()) return;
         HistoryEntry& entry = add(t, nullptr, PixelFate::clipped, 0);
         entry.cut_by = std::move(planes);

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include <raster/stages/coverage.h>
+#include <raster/trace/event_json.h>
 
 namespace raster {
 namespace {
@@ -27,11 +28,6 @@ std::string hex(const glm::vec4& color) {
 std::string numbers(const glm::vec3& v) { return format("(%.4g, %.4g, %.4g)", double(v.x), double(v.y), double(v.z)); }
 
 std::string name_of(const HistoryEntry& e) { return "triangle " + std::to_string(e.triangle.number + 1); }
-
-const char* plane_name(ClipPlane plane) {
-    constexpr const char* names[] = {"right", "left", "top", "bottom", "near", "far"};
-    return int(plane) < clip_plane_count ? names[int(plane)] : "user's";
-}
 
 const char* symbol(Compare compare) {
     switch (compare) {
@@ -99,7 +95,7 @@ public:
             case PixelVerdict::all_rejected:
                 return text + "(depth), " + std::to_string(lost) + " covered it and failed the depth test";
             case PixelVerdict::clipped:
-                return text + "(" + plane_name(e->cut_by[0]) + "), " + name_of(*e) + " would be here";
+                return text + "(" + word_for(e->cut_by[0]) + "), " + name_of(*e) + " would be here";
             case PixelVerdict::culled: return text + ", " + name_of(*e) + " would be here and faces the wrong way";
             case PixelVerdict::never_covered:
                 return text + ", " + name_of(*e) + format(" comes nearest, %.2g pixels away; ", e->distance) +
@@ -233,12 +229,13 @@ private:
 
     /// The plane, and how far outside the corner is that is farthest out.
     static std::string clipped(const HistoryEntry& e) {
-        std::string text = "away by the " + std::string(plane_name(e.cut_by[0])) + " plane; ";
+        std::string text = "away by the " + std::string(word_for(e.cut_by[0])) + " plane; ";
         const ClipEvent& clip = *e.triangle.clip;
         const int plane = int(e.cut_by[0]);
         int outside = 0;
         for (const std::int32_t code : clip.outcodes) outside += code >> plane & 1;
         text += format("%d of 3 corners %s outside", outside, outside == 1 ? "is" : "are");
+        if (plane >= clip_plane_count) return text;
         const int worst = std::min({0, 1, 2}, [&](int a, int b) {
             return clip_distance(e.cut_by[0], clip.clip[a]) < clip_distance(e.cut_by[0], clip.clip[b]);
         });

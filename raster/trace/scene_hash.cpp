@@ -79,6 +79,12 @@ private:
         hash_.add(s.depth_compare);
         hash_.add(s.depth_write);
         hash_.add(s.blend);
+        hash_.add(s.scissor.has_value());
+        const Scissor scissor = s.scissor.value_or(Scissor{});
+        for (const int number : {scissor.x, scissor.y, scissor.width, scissor.height}) hash_.add(number);
+        hash_.add(s.depth_offset.factor);
+        hash_.add(s.depth_offset.units);
+        hash_.add(s.clip_planes);
     }
     void add(const EyeLight& light) {
         hash_.add(light.kind);
