@@ -11,6 +11,7 @@
 #include <raster/shading/cook_torrance.h>
 #include <raster/shading/he_torrance.h>
 #include <raster/shading/lambert.h>
+#include <raster/shading/measured.h>
 #include <raster/shading/oren_nayar.h>
 #include <raster/shading/phong.h>
 #include <raster/shading/subsurface.h>
@@ -31,7 +32,8 @@ using AnyReflectance = std::variant<  //
     HeTorrance,                       //
     Ward,                             //
     Velvet,                           //
-    Subsurface>;
+    Subsurface,                       //
+    Measured>;
 
 /// A reflectance model that is chosen while running: a call an evaluation instead of a specialised shader. It serves
 /// where shading is rare (vertices, faces) and where a model is so much work that the call does not count; compiled in
