@@ -36,6 +36,7 @@ inline HalfDifference<F> half_difference(const Frame<F>& frame, const vec<3, F>&
 /// black.
 struct Measured {
     static constexpr std::string_view name = "measured";
+    static constexpr bool needs_data = true;
 
     std::shared_ptr<const MeasuredTable> table;
 

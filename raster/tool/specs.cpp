@@ -133,9 +133,11 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 Result<AnyReflectance> parse_reflectance(std::string_view text) {
-    if (const auto found = find_reflectance(text)) return *found;
     std::vector<std::string> names;
-    for (const std::string_view name : reflectance_names()) names.emplace_back(name);
+    for (const std::string_view name : reflectance_names()) {
+        names.emplace_back(name);
+        if (name == text) return *find_reflectance(name);
+    }
     return usage(in_quotes(text) + " is none of " + joined(names) + did_you_mean(text, names));
 }
 
