@@ -1,7 +1,7 @@
 # setup.sh: what demos/run.sh and tests/run.sh share: Debian packages by name, and how to build. Sourced by bash.
 
 build_packages=(cmake ninja-build g++ pkg-config
-    libglm-dev libtbb-dev libtinyobjloader-dev libdeflate-dev libstb-dev
+    libglm-dev libtbb-dev libtinyobjloader-dev libdeflate-dev libstb-dev libeigen3-dev
     libcli11-dev nlohmann-json3-dev)
 # bunny.obj; spider.obj and many more; cornell_box.obj
 model_packages=(glmark2-data assimp-testmodels)

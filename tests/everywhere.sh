@@ -42,7 +42,7 @@ builds=(
     "wasm-O2-simd|em++ -O2 -msimd128 -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1|node --no-experimental-fetch"
 )
 packages=(g++-12 clang-14 clang-19 g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user emscripten nodejs
-    libglm-dev libtinyobjloader-dev libdeflate-dev libstb-dev)
+    libglm-dev libtinyobjloader-dev libdeflate-dev libstb-dev libeigen3-dev)
 
 if [ "${1:-}" = --list ]; then
     printf '%s\n' "${builds[@]%%|*}"

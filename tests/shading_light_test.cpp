@@ -47,6 +47,56 @@ TEST(PointLight, IsNeverStrongerThanItsIntensity) {
     EXPECT_EQ(sample_at(light, {0, 0, 0}).l, glm::vec3(0.0f));
 }
 
+TEST(RadiometricLight, GivesTheIrradianceOfItsIntensityOverTheSquareOfTheDistance) {
+    // A white Lambertian surface: pi times its radiance is its irradiance, I cos(theta) / r^2.
+    Light light;
+    light.kind = LightKind::point;
+    light.units = LightUnits::radiometric;
+    light.diffuse = {50, 20, 10};  // W/sr
+    Random random(3);
+    for (int i = 0; i < 500; ++i) {
+        light.position = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(0.05f, 3)};
+        const std::vector<EyeLight> lights = {to_eye(light, glm::mat4(1.0f))};
+        const Frame<float> frame{{0, 0, 1}, {0, 0, 1}, {}, {}};
+        const glm::vec3 radiance = illuminate(Lambert{}, lights, frame, glm::vec3(0.0f)).diffuse;
+        const glm::dvec3 p(light.position);
+        const double r = glm::length(p), irradiance = 50 * (p.z / r) / (r * r);
+        EXPECT_NEAR(3.14159265358979 * double(radiance.x), irradiance, 1e-5 * irradiance);
+        EXPECT_NEAR(radiance.x / radiance.z, 5, 1e-5);
+    }
+}
+
+TEST(RadiometricLight, OnASphereAroundItGivesItsWholePower) {
+    // Isotropic: 4 pi I. The mean of E over a sphere of radius r times its area.
+    Light light;
+    light.kind = LightKind::point;
+    light.units = LightUnits::radiometric;
+    const std::vector<EyeLight> lights = {to_eye(light, glm::mat4(1.0f))};
+    for (const float r : {0.25f, 1.0f, 7.0f}) {
+        const Frame<float> frame{{0, 0, -1}, {0, 0, -1}, {}, {}};
+        const double e = 3.14159265358979 * double(illuminate(Lambert{}, lights, frame, glm::vec3(0, 0, r)).diffuse.x);
+        EXPECT_NEAR(e * 4 * 3.14159265358979 * double(r * r), 4 * 3.14159265358979, 1e-4) << r;
+    }
+}
+
+TEST(RadiometricLight, KnowsTheConeAndDirectionalOnesAreIrradiance) {
+    Light light;
+    light.units = LightUnits::radiometric;
+    light.kind = LightKind::spot;
+    light.attenuation = {100, 100, 100};  // is not asked
+    light.cutoff_degrees = 20;
+    light.falloff_exponent = 2;
+    const double c = std::cos(10 * 3.14159265358979 / 180);
+    light.direction = {0, 0, 1};
+    EXPECT_NEAR(sample_at(light, at_degrees(10) * 2.0f).strength, c * c / 4, 1e-6);
+    EXPECT_EQ(sample_at(light, at_degrees(21)).strength, 0.0f);
+    light.kind = LightKind::directional;
+    light.direction = {0, 0, -1};
+    const std::vector<EyeLight> lights = {to_eye(light, glm::mat4(1.0f))};
+    const Frame<float> frame{{0, 0, 1}, {0, 0, 1}, {}, {}};
+    EXPECT_NEAR(3.14159265f * illuminate(Lambert{}, lights, frame, glm::vec3(5, 5, 5)).diffuse.x, 1, 1e-6);
+}
+
 TEST(SpotLight, EndsAtItsConeAndFallsOffWithTheAngleFromItsAxis) {
     Light light;
     light.kind = LightKind::spot;

@@ -173,7 +173,8 @@ std::vector<std::string> split(const std::string& text, char by) {
 const char* const help =
     "raster_bench: this library against llvmpipe, in turn, from clear to finished pixels\n"
     "  --scene A,B      scenes (default all: clear s1 s2 s3 s4 s4q s5 s6b s6a s6f s7 s7d);\n"
-    "                   also torus:N, of about N triangles, and layers:N, of N quads\n"
+    "                   also torus:N, of about N triangles, layers:N, of N quads, and `models`: m-lambert,\n"
+    "                   m-phong, ..., what each reflectance model costs\n"
     "  --size WxH,...   default 640x480,1920x1080\n"
     "  --threads N,...  default 1,2\n"
     "  --frames N       counted frames (default 15), after --warm-up N (default 3)\n"
@@ -199,7 +200,7 @@ bool parse(int argc, char** argv, Options& options) {
         } else if (i + 1 < argc) {
             const std::string value = argv[++i];
             if (flag == "--scene") {
-                options.scenes = split(value, ',');
+                options.scenes = value == "models" ? bench::reflectance_scene_names() : split(value, ',');
             } else if (flag == "--size") {
                 options.sizes.clear();
                 for (const auto& s : split(value, ',')) {
@@ -227,7 +228,7 @@ bool parse(int argc, char** argv, Options& options) {
 }
 
 void print_table(const json& rows) {
-    std::printf("%-6s %-42s %10s %2s %9s %9s %7s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms", "rival ms", "ratio",
+    std::printf("%-18s %-42s %10s %2s %9s %9s %7s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms", "rival ms", "ratio",
                 "Mtri/s", "Mpix/s", "color max, depth pixels");
     double log_all = 0, log_rest = 0;
     int all = 0, rest = 0;
@@ -239,7 +240,7 @@ void print_table(const json& rows) {
         const double ours = r["ours_best"], ratio = r.value("ratio", 0.0);
         const std::string name = r["scene"];
         const int w = r["width"], h = r["height"];
-        std::printf("%-6s %-42s %5dx%-4d %2d %9.2f %9.2f %7.2f %9.2f %9.1f  %d, %d\n", name.c_str(),
+        std::printf("%-18s %-42s %5dx%-4d %2d %9.2f %9.2f %7.2f %9.2f %9.1f  %d, %d\n", name.c_str(),
                     r["what"].get<std::string>().c_str(), w, h, int(r["threads"]), ours, r.value("rival_best", 0.0), ratio,
                     double(r["triangles"]) / ours / 1e3, w * h / ours / 1e3, r.value("largest_color_difference", 0),
                     r.value("depth_pixels_different", 0));

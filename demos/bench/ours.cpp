@@ -1,6 +1,7 @@
 // ours.cpp: four small shaders, and a frame.
 #include "ours.h"
 
+#include <raster/scene/draw_plan.h>
 #include <raster/scene/transform.h>
 
 namespace bench {
@@ -146,6 +147,34 @@ Ours::Ours(const Scene& scene, int width, int height)
     }
 }
 
+/// The pixel shader that a picture of a model gets, with the model's default parameters but a metal for cook-torrance.
+void Ours::draw_reflectance(const State& state) {
+    if (surface_.empty())
+        for (const Vertex<float>& v : scene_.vertices) surface_.push_back({v.position, v.normal, v.uv, glm::vec3(1.0f)});
+    Light light;
+    light.direction = -to_light_eye();
+    light.space = LightSpace::eye;
+    light.ambient = glm::vec3(ambient);
+    light.diffuse = glm::vec3(diffuse);
+    light.specular = glm::vec3(specular);
+    const Lighting lighting = make_lighting({&light, 1}, scene_.eye_from_world);
+    PlannedDraw draw{};
+    draw.frequency = ShadingFrequency::phong;
+    draw.level = Detail::plain;
+    draw.uniforms.clip_from_object = clip_from_world_;
+    draw.uniforms.eye_from_object = scene_.eye_from_world;
+    draw.uniforms.eye_from_object_normal = normals_;
+    draw.uniforms.ambient = lighting.ambient;
+    draw.uniforms.lights = lighting.lights;
+    draw.uniforms.material.ambient = draw.uniforms.material.diffuse = base_color;
+    draw.uniforms.material.specular = glm::vec3(1.0f);
+    draw.reflectance = *find_reflectance(scene_.reflectance);
+    if (auto* metal = std::get_if<CookTorrance>(&draw.reflectance)) metal->fresnel = {metal_n, metal_k};
+    draw.mesh = {surface_, scene_.indices};
+    draw.state = state;
+    draw_pixel_shaded(target_, draw);
+}
+
 void Ours::frame() {
     target_.clear(clear_color);
     State state;
@@ -161,6 +190,7 @@ void Ours::frame() {
             break;
         case Shading::gouraud: raster::draw(target_, Gouraud{clip_from_world_, eye, normals_, light}, mesh, state); break;
         case Shading::per_pixel: raster::draw(target_, PerPixel{clip_from_world_, eye, normals_, light}, mesh, state); break;
+        case Shading::reflectance: draw_reflectance(state); break;
         case Shading::textured:
             raster::draw(target_,
                          Textured{clip_from_world_, normals_, light, TextureView(texture_, Wrap::repeat, Filter::bilinear)},

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <raster/raster.h>
+#include <raster/scene/model.h>
 #include <raster/shading/texture.h>
 
 #include "scenes.h"
@@ -21,11 +22,14 @@ public:
     std::size_t scratch_bytes() { return target_.scratch().bytes(); }
 
 private:
+    void draw_reflectance(const raster::State& state);
+
     const Scene& scene_;
     raster::Target target_;
     glm::mat4 clip_from_eye_, clip_from_world_;
     glm::mat3 normals_;
     raster::PackedTexture texture_;
+    std::vector<raster::SurfaceVertex<float>> surface_;  ///< the scene's vertices, for the library's shaders
 };
 
 }  // namespace bench

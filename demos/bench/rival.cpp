@@ -38,6 +38,68 @@ void main() {
 const char* const per_pixel_fragment = R"(
 varying vec3 normal, position;
 void main() { gl_FragColor = vec4(blinn_phong(normal, position), 1.0); })";
+// The reflectance models, as a page of GLSL: what is diffuse and what specular of the light from l.
+const char* const reflectance_common = R"(
+uniform vec3 metal_n, metal_k;
+varying vec3 normal, position;
+)";
+const char* const reflectance_main = R"(
+void main() {
+    vec3 diffuse, specular;
+    vec3 n = normalize(normal), v = normalize(-position);
+    reflect_light(n, v, to_light, diffuse, specular);
+    gl_FragColor = vec4(base * (0.2 + 0.8 * diffuse) + 0.5 * specular, 1.0);
+})";
+struct GlslModel {
+    const char* name;
+    const char* function;
+};
+const GlslModel glsl_models[] = {
+    {"lambert", R"(
+void reflect_light(vec3 n, vec3 v, vec3 l, out vec3 diffuse, out vec3 specular) {
+    diffuse = vec3(max(dot(n, l), 0.0));
+    specular = vec3(0.0);
+})"},
+    {"phong", R"(
+void reflect_light(vec3 n, vec3 v, vec3 l, out vec3 diffuse, out vec3 specular) {
+    float n_l = dot(n, l);
+    float r_v = 2.0 * n_l * dot(n, v) - dot(l, v);
+    diffuse = vec3(max(n_l, 0.0));
+    specular = vec3(n_l > 0.0 ? pow(max(r_v, 0.0), 32.0) : 0.0);
+})"},
+    {"blinn-phong", R"(
+void reflect_light(vec3 n, vec3 v, vec3 l, out vec3 diffuse, out vec3 specular) {
+    float n_l = dot(n, l), n_h = dot(n, normalize(l + v));
+    diffuse = vec3(max(n_l, 0.0));
+    specular = vec3(n_l > 0.0 ? pow(max(n_h, 0.0), 32.0) : 0.0);
+})"},
+    {"oren-nayar", R"(
+void reflect_light(vec3 n, vec3 v, vec3 l, out vec3 diffuse, out vec3 specular) {
+    const float s2 = 0.25, a = 1.0 - 0.5 * s2 / (s2 + 0.33), b = 0.45 * s2 / (s2 + 0.09);
+    float n_l = dot(n, l), n_v = max(dot(n, v), 0.0);
+    float along = max(dot(l, v) - n_l * n_v, 0.0) / max(max(n_l, n_v), 1e-6);
+    diffuse = vec3(n_l > 0.0 ? n_l * (a + b * along) : 0.0);
+    specular = vec3(0.0);
+})"},
+    {"cook-torrance", R"(
+vec3 fresnel(float c) {
+    float c2 = c * c, s2 = 1.0 - c2;
+    vec3 n2 = metal_n * metal_n, k2 = metal_k * metal_k, t0 = n2 - k2 - s2;
+    vec3 q = sqrt(t0 * t0 + 4.0 * n2 * k2), a = sqrt(max(0.5 * (q + t0), 0.0));
+    vec3 rs = (q + c2 - 2.0 * a * c) / (q + c2 + 2.0 * a * c);
+    vec3 t3 = c2 * q + s2 * s2, t4 = 2.0 * a * c * s2;
+    return 0.5 * rs * (1.0 + (t3 - t4) / (t3 + t4));
+}
+void reflect_light(vec3 n, vec3 v, vec3 l, out vec3 diffuse, out vec3 specular) {
+    const float m2 = 0.04;
+    vec3 h = normalize(l + v);
+    float n_l = dot(n, l), n_v = dot(n, v), n_h = dot(n, h), v_h = dot(v, h), c2 = n_h * n_h;
+    float d = exp((1.0 - 1.0 / c2) / m2) / (m2 * c2 * c2);
+    float g = min(1.0, 2.0 * n_h * min(n_l, n_v) / v_h);
+    diffuse = vec3(max(n_l, 0.0));
+    specular = n_l > 0.0 && n_v > 0.0 ? fresnel(v_h) * (0.25 * d * g / n_v) : vec3(0.0);
+})"},
+};
 const char* const gouraud_vertex = R"(
 uniform mat4 clip_from_world, eye_from_world;
 uniform mat3 normals;
@@ -74,9 +136,9 @@ const char* const plain_fragment = R"(
 uniform vec4 color;
 void main() { gl_FragColor = color; })";
 
-unsigned compile(unsigned kind, const char* source, std::string& error) {
+unsigned compile(unsigned kind, const std::string& source, std::string& error) {
     const unsigned shader = glCreateShader(kind);
-    const char* parts[] = {lighting, source};
+    const char* parts[] = {lighting, source.c_str()};
     glShaderSource(shader, 2, parts, nullptr);
     glCompileShader(shader);
     int ok = 0;
@@ -102,7 +164,17 @@ Rival::Rival(const Scene& scene, int width, int height)
     context_ = context;
     OSMesaPixelStore(OSMESA_Y_UP, 0);
 
-    const char *vertex = plain_vertex, *fragment = plain_fragment;
+    std::string vertex = plain_vertex, fragment = plain_fragment;
+    if (scene.shading == Shading::reflectance) {
+        vertex = per_pixel_vertex;
+        const auto model = std::find_if(std::begin(glsl_models), std::end(glsl_models),
+                                        [&](const GlslModel& m) { return scene.reflectance == m.name; });
+        if (model == std::end(glsl_models)) {
+            error_ = "no GLSL for " + scene.reflectance + "; ours alone: --alone";
+            return;
+        }
+        fragment = std::string(reflectance_common) + model->function + reflectance_main;
+    }
     if (scene.shading == Shading::per_pixel) vertex = per_pixel_vertex, fragment = per_pixel_fragment;
     if (scene.shading == Shading::gouraud) vertex = gouraud_vertex, fragment = gouraud_fragment;
     if (scene.shading == Shading::textured) vertex = textured_vertex, fragment = textured_fragment;
@@ -120,6 +192,8 @@ Rival::Rival(const Scene& scene, int width, int height)
     glUniformMatrix3fv(at("normals"), 1, GL_FALSE, &normals[0][0]);
     glUniform3fv(at("to_light"), 1, &light.x);
     glUniform3fv(at("base"), 1, &base_color.x);
+    glUniform3fv(at("metal_n"), 1, &metal_n.x);
+    glUniform3fv(at("metal_k"), 1, &metal_k.x);
     glUniform4f(at("color"), base_color.x, base_color.y, base_color.z, scene.blend ? 0.5f : 1.0f);
 
     unsigned buffers[2];

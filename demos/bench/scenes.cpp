@@ -9,6 +9,7 @@
 #include <raster/scene/obj.h>
 #include <raster/scene/shapes.h>
 #include <raster/scene/transform.h>
+#include <raster/shading/models.h>
 
 namespace bench {
 
@@ -119,6 +120,12 @@ std::vector<std::string> scene_names() {
     return {"clear", "s1", "s2", "s3", "s4", "s4q", "s5", "s6b", "s6a", "s6f", "s7", "s7d"};
 }
 
+std::vector<std::string> reflectance_scene_names() {
+    std::vector<std::string> names;
+    for (const std::string_view name : raster::reflectance_names()) names.push_back("m-" + std::string(name));
+    return names;
+}
+
 raster::Result<Scene> make_scene(const std::string& name, const std::string& bunny) {
     Scene scene;
     scene.name = name;
@@ -183,6 +190,12 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
     } else if (const int quads = number_after("layers:", name); quads > 0) {
         scene.what = "full-screen quads, back to front";
         layers(scene, quads, true);
+    } else if (name.rfind("m-", 0) == 0 && raster::find_reflectance(name.substr(2))) {
+        scene.reflectance = name.substr(2);
+        scene.what = "sphere, " + scene.reflectance;
+        scene.shading = Shading::reflectance;
+        take(scene, raster::sphere());
+        place_model(scene);
     } else {
         return raster::Error{raster::ErrorKind::usage, "no scene named '" + name + "'"};
     }

@@ -19,8 +19,9 @@ struct Vertex {
     raster::vec<2, F> uv;
 };
 
-/// How a scene is shaded. Blinn-Phong and Lambert have one directional light and a local viewer.
-enum class Shading { none, flat_color, gouraud, per_pixel, textured };
+/// How a scene is shaded. All have one directional light and a local viewer; `reflectance` is the library's own pixel
+/// shader with a model of its list.
+enum class Shading { none, flat_color, gouraud, per_pixel, reflectance, textured };
 
 struct Scene {
     std::string name;
@@ -29,6 +30,7 @@ struct Scene {
     std::vector<std::uint32_t> indices;
     glm::mat4 eye_from_world{1.0f};
     Shading shading = Shading::per_pixel;
+    std::string reflectance;  ///< the model's name
     bool cull_back = true;
     bool blend = false;
 };
@@ -41,6 +43,10 @@ glm::mat4 projection(int width, int height);
 
 /// The names of all scenes, in the order of the table.
 std::vector<std::string> scene_names();
+/// Those that show what a reflectance model costs: m-NAME.
+std::vector<std::string> reflectance_scene_names();
+/// The indices of refraction of m-cook-torrance: gold.
+inline const glm::vec3 metal_n(0.156f, 0.424f, 1.383f), metal_k(3.602f, 2.472f, 1.916f);
 
 /// Builds a scene, one of those or "torus:N" of about N triangles or "layers:N" of N quads; `bunny` is the path of an OBJ file that the scenes s2, s3, s5 and s7d show.
 raster::Result<Scene> make_scene(const std::string& name, const std::string& bunny);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Texture {
     std::string name;  ///< as the material file spells it
     Image8 image;
 };
+
+struct MeasuredTable;
 
 /// A material in the terms of MTL files. Colours are as the file has them; a texture index of -1 means none.
 struct Material {
@@ -49,6 +52,7 @@ struct Material {
     glm::vec3 extinction{0};        ///< k for each channel, with n: above 0 for metals
     glm::vec3 scattering{0};        ///< below the surface, reduced, 1/mm; 0: the model's own
     glm::vec3 absorption{0};        ///< below the surface, 1/mm
+    std::shared_ptr<const MeasuredTable> measured;  ///< for the model `measured`
     int ambient_texture = -1;       ///< map_Ka: index into Model::textures
     int diffuse_texture = -1;       ///< map_Kd
     int specular_texture = -1;      ///< map_Ks

@@ -26,18 +26,28 @@ struct Attenuation {
     float c3 = 0.0f;
 };
 
+/// What a light's intensities are.
+enum class LightUnits {
+    relative,     ///< of the brightest there is: a white surface that faces a light of 1 is 1
+    radiometric,  ///< of point and spot lights radiant intensity I in W/sr, which gives the irradiance I cos(theta) / r^2;
+                  ///< of directional ones the irradiance of a surface that faces them, in W/m^2. Lengths are in metres;
+                  ///< what a surface reflects is then radiance, in W/(m^2 sr). Ambient light is radiance that comes from
+                  ///< everywhere, so that a white surface has the same
+};
+
 /// A light as its user describes it. The intensities Ia, Id, Is are separate for the three terms and for each channel,
 /// linear, 0 and up. Ambient light is a light's share in what comes from everywhere: it does not weaken with distance
 /// and knows no cone.
 struct Light {
     LightKind kind = LightKind::directional;
     LightSpace space = LightSpace::world;
+    LightUnits units = LightUnits::relative;
     glm::vec3 ambient{0.0f};
     glm::vec3 diffuse{1.0f};
     glm::vec3 specular{1.0f};
     glm::vec3 position{0.0f};           ///< of point and spot lights
     glm::vec3 direction{0.0f, 0, -1};   ///< the way the light travels; a spot's axis. Of any length but 0
-    Attenuation attenuation;            ///< of point and spot lights
+    Attenuation attenuation;            ///< of point and spot lights of relative units
     float cutoff_degrees = 30.0f;       ///< half the opening of a spot's cone, 0 to 180; outside there is no light
     float falloff_exponent = 0.0f;      ///< a spot weakens by cos^exponent of the angle from its axis, 0 and up
 };
@@ -51,6 +61,7 @@ struct EyeLight {
     Attenuation attenuation;
     float cos_cutoff;
     float falloff_exponent;
+    bool inverse_square;  ///< weakens by 1 / d^2 without a bound, whatever the attenuation
 };
 
 inline EyeLight to_eye(const Light& light, const glm::mat4& eye_from_world) {
@@ -58,8 +69,11 @@ inline EyeLight to_eye(const Light& light, const glm::mat4& eye_from_world) {
     const glm::vec3 position = moves ? glm::vec3(eye_from_world * glm::vec4(light.position, 1.0f)) : light.position;
     const glm::vec3 direction = moves ? glm::mat3(eye_from_world) * light.direction : light.direction;
     const float cos_cutoff = float(sin_cos_degrees(clamp(light.cutoff_degrees, 0.0f, 180.0f)).cos);
-    return {light.kind, light.diffuse, light.specular, position, normalize_or_zero(direction), light.attenuation,
-            cos_cutoff, light.falloff_exponent};
+    // Reflectance is pi times the BRDF and cos(theta), radiance the BRDF times the irradiance.
+    const bool radiometric = light.units == LightUnits::radiometric;
+    const float scale = radiometric ? 0.318309886f : 1.0f;
+    return {light.kind, light.diffuse * scale, light.specular * scale, position, normalize_or_zero(direction),
+            light.attenuation, cos_cutoff, light.falloff_exponent, radiometric};
 }
 
 /// All lights of a scene, ready for shading: one sum for what is ambient, and the others one by one.
@@ -87,7 +101,7 @@ inline F attenuate(const Attenuation& a, F distance, F squared_distance) {
 template <class F>
 struct LightSample {
     vec<3, F> l;  ///< to the light, unit length, eye space; zero at the light itself
-    F strength;   ///< 0 to 1
+    F strength;   ///< 0 to 1; 1 / d^2 of radiometric lights
 };
 
 /// How much of a spot's light goes the way of -l: its falloff inside the cone, 0 outside.
@@ -109,7 +123,8 @@ inline LightSample<F> sample_light(const EyeLight& light, const vec<3, F>& posit
         const F squared_distance = max(glm::dot(to_light, to_light), F(1e-30f));
         const F distance = sqrt(squared_distance);
         l = to_light * (F(1) / distance);
-        strength = attenuate(light.attenuation, distance, squared_distance);
+        strength = light.inverse_square ? F(1) / max(squared_distance, F(1e-12f))
+                                        : attenuate(light.attenuation, distance, squared_distance);
         if (light.kind == LightKind::spot) strength = strength * spot_strength(light, l);
     }
     return {l, strength};

@@ -1,16 +1,17 @@
 // models.h: the list of reflectance models, and one type that can be any of them.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <raster/shading/blinn_phong.h>
 #include <raster/shading/cook_torrance.h>
 #include <raster/shading/he_torrance.h>
 #include <raster/shading/lambert.h>
+#include <raster/shading/measured.h>
 #include <raster/shading/oren_nayar.h>
 #include <raster/shading/phong.h>
 #include <raster/shading/subsurface.h>
@@ -31,7 +32,8 @@ using AnyReflectance = std::variant<  //
     HeTorrance,                       //
     Ward,                             //
     Velvet,                           //
-    Subsurface>;
+    Subsurface,                       //
+    Measured>;
 
 /// A reflectance model that is chosen while running: a call an evaluation instead of a specialised shader. It serves
 /// where shading is rare (vertices, faces) and where a model is so much work that the call does not count; compiled in
@@ -64,15 +66,17 @@ inline void for_each_model(const Visit& visit, std::index_sequence<I...>) {
 inline constexpr auto model_indices = std::make_index_sequence<std::variant_size_v<AnyReflectance>>{};
 }  // namespace detail
 
-/// The names of all models, in the order of the list.
-inline std::array<std::string_view, std::variant_size_v<AnyReflectance>> reflectance_names() {
-    std::array<std::string_view, std::variant_size_v<AnyReflectance>> names;
-    std::size_t i = 0;
-    detail::for_each_model([&](const auto& model) { names[i++] = model.name; }, detail::model_indices);
+/// The names of the models that one can ask for, in the order of the list; without those that need data.
+inline std::vector<std::string_view> reflectance_names() {
+    std::vector<std::string_view> names;
+    const auto add = [&]<class M>(const M&) {
+        if (!needs_data<M>()) names.push_back(M::name);
+    };
+    detail::for_each_model(add, detail::model_indices);
     return names;
 }
 
-/// The model of that name with its default parameters; nothing when there is none.
+/// The model of that name with its default parameters, also of one that needs data; nothing when there is none.
 inline std::optional<AnyReflectance> find_reflectance(std::string_view name) {
     std::optional<AnyReflectance> found;
     const auto look = [&](const auto& model) {

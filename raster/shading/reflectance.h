@@ -39,6 +39,7 @@ struct Reflectance {
 ///         static constexpr bool anisotropic = false;               // optional: whether it reads Frame's t and b
 ///         static constexpr bool specialised = true;                // optional: a pixel shader of its own, inlined; for
 ///                                                                  // models that cost less than a call
+///         static constexpr bool needs_data = true;                 // optional: black without what a material brings
 ///         float exponent = 32;                                     // parameters are members
 ///         Lambert with_material(const Material& material) const;   // a copy with what an MTL file says of them
 ///         template <class F>
@@ -79,6 +80,16 @@ template <class M>
 constexpr bool is_specialised() {
     if constexpr (requires { M::specialised; }) {
         return M::specialised;
+    } else {
+        return false;
+    }
+}
+
+/// Whether a model is of no use by its name alone.
+template <class M>
+constexpr bool needs_data() {
+    if constexpr (requires { M::needs_data; }) {
+        return M::needs_data;
     } else {
         return false;
     }

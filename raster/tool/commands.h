@@ -23,6 +23,7 @@ Run add_step(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_pixel(CLI::App& app);
 Run add_trace(CLI::App& app);
+Run add_brdf(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_diff(CLI::App& app);
 Run add_approve(CLI::App& app);
@@ -40,6 +41,7 @@ inline constexpr Command commands[] = {
     {"info", "Tells what is in a model file, and the camera that frames it.", add_info},
     {"pixel", "Tells why a pixel has its colour.", add_pixel},
     {"trace", "Writes down every step that makes a picture.", add_trace},
+    {"brdf", "Tabulates what a material reflects, and compresses such tables.", add_brdf},
     {"compare", "Draws a model by Mesa's OpenGL too, and tells how far the pictures are apart.", add_compare},
     {"diff", "Tells whether a picture is the one it should be, and shows how it is not.", add_diff},
     {"approve", "Makes the actual pictures of a failed comparison the expected ones.", add_approve},

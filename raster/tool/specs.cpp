@@ -21,7 +21,9 @@ const char* const light_help =
     " cos^falloff from its axis [0]\n"
     "Keys: color=COLOR [1,1,1]; intensity=N, which multiplies it [1]; diffuse=COLOR, specular=COLOR, ambient=COLOR set"
     " the three terms apart; decay=C1,C2,C3 weakens by min(1/(C1 + C2 d + C3 d^2), 1) at distance d [1,0,0];"
-    " space=world|eye, where eye moves with the viewer [world]. dir is [0,0,-1], pos [0,0,0].\n"
+    " space=world|eye, where eye moves with the viewer [world]; units=relative|radiometric [relative], where radiometric"
+    " is W/sr of point and spot, W/m^2 of directional lights, weakened by 1/d^2 alone, and colours become radiance. dir is"
+    " [0,0,-1], pos [0,0,0].\n"
     "A COLOR is R,G,B of 0 and up, one number, or #RRGGBB.\n"
     "[head]";
 
@@ -34,7 +36,7 @@ std::string material_help() {
            " shininess=N (the highlight's exponent, 0 to 1000); alpha=N (0 to 1, 1 is opaque); reflectance=NAME, as"
            " --reflectance, for these materials; for models that read them: roughness=N (0 to 1; a facet slope, oren-nayar's"
            " sigma in radians), ior=N (index of refraction, 1 to 4), anisotropy=N (0 to 1); metallic=N (0 to 1), as MTL's"
-           " Pm: with it roughness is Pr, and the color that of the metal.";
+           " Pm: with it roughness is Pr, and the color that of the metal; brdf=FILE, a measured BRDF in the MERL layout.";
 }
 
 namespace {
@@ -62,9 +64,21 @@ Result<LightSpace> parse_space(std::string_view text) {
     return usage(in_quotes(text) + " is none of world, eye");
 }
 
+Result<std::shared_ptr<const MeasuredTable>> read_brdf(const std::string& path) {
+    Result<MeasuredTable> table = read_measured(path);
+    if (!table) return table.error();
+    return std::make_shared<const MeasuredTable>(std::move(*table));
+}
+
 Result<std::string> parse_reflectance_name(std::string_view text) {
     if (const auto found = parse_reflectance(text); !found) return found.error();
     return std::string(text);
+}
+
+Result<LightUnits> parse_units(std::string_view text) {
+    if (text == "relative") return LightUnits::relative;
+    if (text == "radiometric") return LightUnits::radiometric;
+    return usage(in_quotes(text) + " is none of relative, radiometric");
 }
 
 /// What a light specification says; which keys a kind of light knows is told by `allowed`.
@@ -84,6 +98,7 @@ struct LightKeys {
         if (key == "decay") return store(light.attenuation, key, parse_decay(value));
         if (key == "cutoff") return store(light.cutoff_degrees, key, parse_number_within(value, 0.0f, 180.0f));
         if (key == "falloff") return store(light.falloff_exponent, key, parse_number_within(value, 0.0f, 1e4f));
+        if (key == "units") return store(light.units, key, parse_units(value));
         return store(light.space, key, parse_space(value));
     }
 };
@@ -100,11 +115,11 @@ const std::vector<Kind>& kinds() {
         {"ambient", LightKind::ambient, {"color", "intensity"}},
         {"directional",
          LightKind::directional,
-         {"dir", "color", "intensity", "diffuse", "specular", "ambient", "space"}},
-        {"point", LightKind::point, {"pos", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space"}},
+         {"dir", "color", "intensity", "diffuse", "specular", "ambient", "space", "units"}},
+        {"point", LightKind::point, {"pos", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space", "units"}},
         {"spot",
          LightKind::spot,
-         {"pos", "dir", "cutoff", "falloff", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space"}},
+         {"pos", "dir", "cutoff", "falloff", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space", "units"}},
     };
     return all;
 }
@@ -118,9 +133,11 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 Result<AnyReflectance> parse_reflectance(std::string_view text) {
-    if (const auto found = find_reflectance(text)) return *found;
     std::vector<std::string> names;
-    for (const std::string_view name : reflectance_names()) names.emplace_back(name);
+    for (const std::string_view name : reflectance_names()) {
+        names.emplace_back(name);
+        if (name == text) return *find_reflectance(name);
+    }
     return usage(in_quotes(text) + " is none of " + joined(names) + did_you_mean(text, names));
 }
 
@@ -179,6 +196,13 @@ void MaterialChange::apply_to(Material& m) const {
         m.diffuse = m.ambient = *color;
         m.diffuse_texture = m.ambient_texture = -1;
     }
+    if (brdf) {
+        m.measured = *brdf;
+        m.reflectance = Measured::name;
+        m.diffuse = glm::vec3(1.0f);
+        m.diffuse_texture = -1;
+        m.refractive_index = m.extinction = glm::vec3(0.0f);
+    }
     set(m.reflectance, reflectance);
     set(m.ambient, ambient);
     set(m.diffuse, diffuse);
@@ -230,9 +254,10 @@ Result<MaterialChange> parse_material(std::string_view text) {
                                          {"ior", &MaterialChange::index_of_refraction, 4.0f, 1.0f}};
     for (const auto& [key, value] : spec->values) {
         Status status = Done{};
-        std::vector<std::string> known = {"reflectance"};
-        bool found = key == "reflectance";
-        if (found) status = store(change.reflectance, key, parse_reflectance_name(value));
+        std::vector<std::string> known = {"reflectance", "brdf"};
+        bool found = key == "reflectance" || key == "brdf";
+        if (key == "reflectance") status = store(change.reflectance, key, parse_reflectance_name(value));
+        if (key == "brdf") status = store(change.brdf, key, read_brdf(value));
         for (const auto& [name, member] : colors) {
             known.push_back(name);
             if (name != key) continue;

@@ -1,6 +1,7 @@
 // specs.h: lights and materials as one word on the command line: point:pos=0,2,1:intensity=0.8.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@ extern const char* const light_help;
 struct MaterialChange {
     std::optional<Material> substance;  ///< what all is changed to first
     std::optional<std::string> reflectance;
+    std::optional<std::shared_ptr<const MeasuredTable>> brdf;
     std::optional<glm::vec3> color, ambient, diffuse, specular, emission;
     std::optional<float> shininess, alpha, roughness, metallic, anisotropy, index_of_refraction;
 
