@@ -84,7 +84,7 @@ DrawCounts render_with_bug(Bug bug, Target& target, const Model& model, const Vi
 
 Result<std::string> write_bug_difference(Bug bug, const Target& wrong, const Model& model, const View& view,
                                          const RenderOptions& options, const std::string& path) {
-    Target right(wrong.width(), wrong.height());
+    Target right(wrong.width(), wrong.height(), wrong.color_format());
     render(right, model, view.matrices, options);
     const AnyImage expected = right.color_image(), actual = wrong.color_image();
     const Result<Diff> diff = diff_images(expected, actual);

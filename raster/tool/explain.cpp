@@ -70,6 +70,9 @@ Result<Explained> explain(const ExplainFlags& flags, const Comparison& compariso
     Result<Loaded> loaded = load(flags.load, progress, true);
     if (!loaded) return loaded.error();
     const RenderOptions options = flags.picture.options_for(loaded->model);
+    if (!flags.picture.display_for(loaded->model, options).is_plain())
+        return Error{ErrorKind::usage,
+                     "--explain: only pictures of the plain display can be explained; draw both with --display plain"};
     const Result<View> view = plan->view_of(loaded->model);
     if (!view) return view.error();
 

@@ -1,6 +1,8 @@
 // pixel.cpp: `raster pixel`: why a pixel has its colour.
 #include <raster/trace/history_text.h>
 
+#include <cstdio>
+
 #include "commands.h"
 #include "json.h"
 #include "picture.h"
@@ -27,6 +29,23 @@ Status check_pixel(const PixelArguments& a, const Size& size) {
     return Done{};
 }
 
+/// With what the screen gets, where that is not the colour itself.
+std::string text_of(const PixelHistory& history, const std::optional<glm::vec4>& shown) {
+    std::string text = history_text(history);
+    if (!shown) return text;
+    char line[64];
+    const auto c = std::uint32_t(pack_rgba8(*shown));
+    std::snprintf(line, sizeof line, " the picture shows this light as #%02X%02X%02X\n", c & 255, c >> 8 & 255,
+                  c >> 16 & 255);
+    return text + line;
+}
+
+std::string json_of(const PixelHistory& history, const std::optional<glm::vec4>& shown) {
+    Json json = Json::parse(history_json(history));
+    json["shown"] = shown ? Json{shown->r, shown->g, shown->b, shown->a} : Json(json["color"]);
+    return json_text(json);
+}
+
 Result<int> run_pixel(PixelArguments& a) {
     const Result<ViewPlan> plan = ViewPlan::make(a.view);
     if (!plan) return plan.error();
@@ -34,13 +53,19 @@ Result<int> run_pixel(PixelArguments& a) {
     Progress progress(ProgressMode::automatic);
     Result<Loaded> loaded = load(a.load, progress, false);
     if (!loaded) return loaded.error();
-    const RenderOptions options = a.picture.options_for(loaded->model);
+    RenderOptions options = a.picture.options_for(loaded->model);
     const Result<View> view = plan->view_of(loaded->model);
     if (!view) return view.error();
 
-    Target target(view->size.width, view->size.height);
+    // As `raster render` draws it: light that will be encoded for a screen is kept as floats.
+    const Display display = a.picture.display_for(loaded->model, options);
+    options.background = light_for(options.background, display);
+    Target target(view->size.width, view->size.height,
+                  display.is_plain() ? ColorFormat::rgba8 : ColorFormat::rgba_float);
     const PixelHistory history = pixel_history(target, loaded->model, view->matrices, options, a.x, a.y);
-    const Status printed = print(a.json ? json_text(Json::parse(history_json(history))) : history_text(history));
+    std::optional<glm::vec4> shown;
+    if (!display.is_plain()) shown = displayed(target, display).color(a.x, a.y);
+    const Status printed = print(a.json ? json_of(history, shown) : text_of(history, shown));
     return printed ? Result<int>(exit_done) : printed.error();
 }
 

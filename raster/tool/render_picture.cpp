@@ -113,7 +113,7 @@ private:
             return status;
         if (const Status status = write_planes(frame, view, target); !status) return status;
         if (job_.bug) {
-            Result<std::string> words = write_bug_difference(*job_.bug, target, job_.model, view, job_.options,
+            Result<std::string> words = write_bug_difference(*job_.bug, target, job_.model, view, options,
                                                              beside(path, ".difference.png"));
             if (!words) return words.error();
             bug_words_ = std::move(*words);
