@@ -95,6 +95,34 @@ TEST(History, TermsAddUpToTheFragmentsColour) {
     EXPECT_GT(seen, 20);
 }
 
+TEST(History, GouraudsCornersMixToTheLightOfTheTerms) {
+    int seen = 0, cut = 0;
+    for (TraceScene scene : trace_scenes()) {
+        SCOPED_TRACE(scene.name);
+        scene.options.frequency = ShadingFrequency::gouraud;
+        scene.model.materials.clear();
+        scene.options.default_material.diffuse = glm::vec3(1.0f);
+        scene.options.default_material.specular = glm::vec3(1.0f);
+        scene.options.vertex_colors = false;
+        for (int x = 0; x < scene.width; x += 2)
+            for (const HistoryEntry& e : history_of(scene, x, scene.height / 2).entries) {
+                EXPECT_EQ(e.corners.size(), e.fate == PixelFate::wrote ? 3u : 0u);
+                if (e.corners.empty()) continue;
+                ++seen;
+                cut += !e.triangle.cuts.empty();
+                glm::vec3 diffuse(0), specular(0);
+                for (const CornerLight& c : e.corners)
+                    diffuse += c.weight * c.diffuse, specular += c.weight * c.specular;
+                for (int i = 0; i < 3; ++i) {
+                    EXPECT_NEAR(diffuse[i], e.terms->diffuse[i], 1e-4f);
+                    EXPECT_NEAR(specular[i], e.terms->specular[i], 1e-4f);
+                }
+            }
+    }
+    EXPECT_GT(seen, 20);
+    EXPECT_GT(cut, 0);
+}
+
 TEST(History, TheDeeperTriangleLosesByDepthWhicheverComesFirst) {
     for (const bool nearer_first : {true, false}) {
         TraceScene scene = flat_scene();

@@ -8,6 +8,7 @@
 
 #include <raster/bugs/bug.h>
 #include <raster/scene/observe.h>
+#include <raster/trace/event_lines.h>
 
 namespace raster {
 
@@ -23,6 +24,7 @@ struct FirstDifference {
     std::int64_t event;  ///< how many events are equal before it
     std::string right;   ///< the event of the right run, as a line of a trace; empty when that has ended
     std::string wrong;   ///< the event in its place with the bug, likewise
+    EventPlace place;    ///< of the wrong one; of the right one where that is empty
 };
 
 /// The first event at which the run with the bug differs from the right one; nothing when all events are equal. Draws'

@@ -30,6 +30,12 @@ inline float srgb_decode(float encoded) {
     return x <= 0.04045f ? x / 12.92f : pow((x + 0.055f) / 1.055f, 2.4f);
 }
 
+/// What a screen makes of a channel of light, before the clamp.
+inline float shown_value(float light, const Display& display) {
+    const float value = light * exp2(display.exposure);
+    return display.srgb ? srgb_encode(value) : value;
+}
+
 /// Multiplies the light of a float target by 2^exposure; alpha stays.
 void expose(Target& target, float exposure);
 

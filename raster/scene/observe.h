@@ -5,18 +5,18 @@
 
 namespace raster {
 
+/// A triangle's number in the model, from 0, by its number in a draw.
+inline std::int64_t number_in_model(const PlannedDraw& draw, std::int64_t triangle) {
+    const ShadingUniforms& u = draw.uniforms;
+    if (u.triangle_numbers.empty()) return u.first_triangle + triangle;
+    return u.triangle_numbers[std::size_t(triangle)];
+}
+
 /// Before a draw of a picture: which one it is, and all it was told.
 struct DrawEvent {
     int draw;  ///< counted from 0
     const PlannedDraw& planned;
     const Target& target;  ///< as the draws before left it
-
-    /// A triangle's number in the model, from 0, by its number in this draw.
-    std::int64_t number_of(std::int64_t triangle) const {
-        const ShadingUniforms& u = planned.uniforms;
-        if (u.triangle_numbers.empty()) return u.first_triangle + triangle;
-        return u.triangle_numbers[std::size_t(triangle)];
-    }
 };
 
 /// All events of a picture as virtual functions, so that one compiled draw a shader serves every observer.

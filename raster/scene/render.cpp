@@ -2,25 +2,15 @@
 #include <raster/scene/render.h>
 
 #include <raster/scene/draw_plan.h>
+#include <raster/scene/position_shader.h>
 
 namespace raster {
 namespace {
 
 /// Adds 1 to every pixel that it is drawn to.
-struct CountShader {
+struct One {
     template <class F>
-    using Vertex = SurfaceVertex<F>;
-    template <class F>
-    struct Varyings {};
-
-    glm::mat4 clip_from_object;
-
-    template <class F>
-    VertexOut<F, Varyings> vertex(const SurfaceVertex<F>& v) const {
-        return {transform_point(clip_from_object, v.position), {}};
-    }
-    template <class F>
-    vec<4, F> fragment(const Varyings<F>&) const {
+    vec<4, F> operator()(const FragmentInput<F>&) const {
         return {F(1), F(0), F(0), F(0)};
     }
 };
@@ -61,7 +51,8 @@ DrawCounts render(Target& target, const Model& model, const CameraMatrices& came
     return counts;
 }
 
-DrawCounts render_overdraw(Target& target, const Model& model, const CameraMatrices& camera, const RenderOptions& options) {
+DrawCounts render_overdraw(Target& target, const Model& model, const CameraMatrices& camera,
+                           const RenderOptions& options) {
     target.clear(glm::vec4(0.0f));
     DrawCounts counts;
     RenderOptions cheap = options;
@@ -70,7 +61,7 @@ DrawCounts render_overdraw(Target& target, const Model& model, const CameraMatri
     plan.for_each(camera, [&](const PlannedDraw& planned) {
         State state = planned.state;
         state.blend = Blend::additive;
-        counts += draw(target, CountShader{planned.uniforms.clip_from_object}, planned.mesh, state);
+        counts += draw(target, PositionShader<One>{planned.uniforms.clip_from_object, {}}, planned.mesh, state);
     });
     return counts;
 }

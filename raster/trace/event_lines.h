@@ -1,15 +1,22 @@
 // event_lines.h: events as the lines of a trace, one by one, for whoever wants to compare or keep them.
 #pragma once
 
+#include <optional>
 #include <string>
-#include <vector>
 
 #include <raster/trace/event_json.h>
 
 namespace raster {
 
-/// An observer that gives use(event number from 0, write) for every event but DrawEvent. write() gives the line without
-/// its end; events whose line nobody asks for cost little.
+/// Where an event belongs, as far as it does.
+struct EventPlace {
+    std::string_view stage;
+    std::optional<std::int64_t> triangle;  ///< in the model, from 0
+    std::optional<glm::ivec2> pixel;
+};
+
+/// An observer that gives use(event number from 0, place, write) for every event but DrawEvent. write() gives the line
+/// without its end; events whose line nobody asks for cost little.
 template <class Use>
 class EventLines {
 public:
@@ -17,12 +24,11 @@ public:
 
     void on(const DrawEvent& e) {
         draw_ = e.draw;
-        first_triangle_ = e.planned.uniforms.first_triangle;
-        numbers_.assign(e.planned.uniforms.triangle_numbers.begin(), e.planned.uniforms.triangle_numbers.end());
+        planned_ = &e.planned;
     }
     void on(const VertexEvent& e) { tell(e); }
     void on(const AssembleEvent& e) {
-        number_ = numbers_.empty() ? first_triangle_ + e.triangle : numbers_[std::size_t(e.triangle)];
+        number_ = number_in_model(*planned_, e.triangle);
         tell(e);
     }
     void on(const ClipEvent& e) { tell(e); }
@@ -39,7 +45,10 @@ public:
 private:
     template <class Event>
     void tell(const Event& e) {
-        use_(count_++, [&] {
+        EventPlace place{stage_of<Event>(), {}, {}};
+        if constexpr (requires { e.triangle; }) place.triangle = number_;
+        if constexpr (requires { e.x; }) place.pixel = {e.x, e.y};
+        use_(count_++, place, [&] {
             line_.clear();
             JsonWriter json(line_);
             json.open('{');
@@ -55,8 +64,7 @@ private:
     Use use_;
     std::int64_t count_ = 0, number_ = 0;
     int draw_ = 0;
-    std::int32_t first_triangle_ = 0;
-    std::vector<std::int32_t> numbers_;
+    const PlannedDraw* planned_ = nullptr;
     std::string line_;
 };
 

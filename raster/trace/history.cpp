@@ -185,6 +185,27 @@ void judge(PixelHistory& history) {
     }
 }
 
+/// The corners of a piece, from a run whose varyings begin with the light of both sides: front diffuse, front specular,
+/// back diffuse, back specular.
+std::vector<CornerLight> corners_of(const RecordedTriangle& t, const RecordedPiece& piece, float x, float y) {
+    const TriangleSetup& setup = piece.setup->setup;
+    const std::array<int, 3> fan = clip_fan(piece.project.piece);
+    const float w = 1.0f / value_at(piece.setup->oow, x, y);
+    std::vector<CornerLight> corners(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto corner = std::size_t(setup.order[i]);
+        std::array<float, 3> one{};
+        one[i] = piece.project.window[corner].oow;
+        const std::vector<float>& v =
+            t.cuts.empty() ? t.corners[corner].varyings : t.cuts.back().after[std::size_t(fan[corner])].varyings;
+        const std::size_t side = piece.cull->front_facing ? 0 : 6;
+        corners[corner] = {{v[side], v[side + 1], v[side + 2]},
+                           {v[side + 3], v[side + 4], v[side + 5]},
+                           value_at(make_plane(setup.basis, one[0], one[1], one[2]), x, y) * w};
+    }
+    return corners;
+}
+
 /// Runs the picture with the planes' shaders, and takes the terms of what was written.
 void add_terms(PixelHistory& history, const Model& model, const CameraMatrices& camera, const RenderOptions& options) {
     Target target(history.width, history.height, history.color_format, history.depth_format, 1);
@@ -193,7 +214,7 @@ void add_terms(PixelHistory& history, const Model& model, const CameraMatrices& 
     for (const HistoryEntry& e : history.entries)
         if (e.fate == PixelFate::wrote) choice.triangles.push_back(e.triangle.number);
     if (choice.triangles.empty()) return;
-    Recorder recorder(std::move(choice), [&](const RecordedDraw&, const RecordedTriangle& t) {
+    Recorder recorder(std::move(choice), [&](const RecordedDraw& draw, const RecordedTriangle& t) {
         for (const RecordedPiece& piece : t.pieces) {
             if (piece.pixels.empty() || !piece.pixels[0].outputs) continue;
             const std::vector<float>& o = *piece.pixels[0].outputs;
@@ -201,12 +222,16 @@ void add_terms(PixelHistory& history, const Model& model, const CameraMatrices& 
                 const std::size_t i = std::size_t(4 + plane);
                 return glm::vec3(o[i], o[i + 1], o[i + 2]);
             };
-            for (HistoryEntry& e : history.entries)
-                if (e.fate == PixelFate::wrote && e.triangle.draw == t.draw && e.triangle.triangle == t.triangle &&
-                    e.piece() == piece.project.piece)
-                    e.terms = {three(shaded_plane::normal),   three(shaded_plane::ambient),
-                               three(shaded_plane::diffuse),  three(shaded_plane::specular),
-                               three(shaded_plane::emission), {o[0], o[1], o[2], o[3]}};
+            for (HistoryEntry& e : history.entries) {
+                if (e.fate != PixelFate::wrote || e.triangle.draw != t.draw || e.triangle.triangle != t.triangle ||
+                    e.piece() != piece.project.piece)
+                    continue;
+                e.terms = {three(shaded_plane::normal),   three(shaded_plane::ambient),
+                           three(shaded_plane::diffuse),  three(shaded_plane::specular),
+                           three(shaded_plane::emission), {o[0], o[1], o[2], o[3]}};
+                if (draw.frequency == ShadingFrequency::gouraud)
+                    e.corners = corners_of(t, piece, float(history.x), float(history.y));
+            }
         }
     });
     render_observed(target, model, camera, options, recorder);

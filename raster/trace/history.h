@@ -39,6 +39,13 @@ struct FragmentTerms {
     glm::vec4 color;  ///< their sum. With Gouraud shading it may differ from the picture's by rounding
 };
 
+/// A corner's light with Gouraud shading, as its vertex shader gave it or clipping interpolated it, of the side that is
+/// seen; and how much of the corner there is in the fragment.
+struct CornerLight {
+    glm::vec3 diffuse, specular;  ///< before the material's colours
+    float weight;                 ///< perspective-correct
+};
+
 struct HistoryEntry {
     PixelFate fate{};
     bool visible = false;           ///< wrote, and nothing opaque came after
@@ -46,6 +53,7 @@ struct HistoryEntry {
     std::vector<ClipPlane> cut_by;  ///< when clipped: the planes that took this place away
     RecordedTriangle triangle;      ///< with this one piece, or none when clipped
     std::optional<FragmentTerms> terms;
+    std::vector<CornerLight> corners;  ///< of the piece, three with Gouraud shading
 
     /// What was computed at the pixel; null where coverage was not reached.
     const RecordedPixel* pixel() const {
@@ -81,7 +89,7 @@ struct PixelHistory {
 
 struct HistoryOptions {
     double near_pixels = 1.0;  ///< triangles that come as near as this are listed though they do not cover it
-    bool terms = true;         ///< a second run for FragmentTerms
+    bool terms = true;         ///< a second run for FragmentTerms and CornerLight
 };
 
 /// The history of pixel (x, y) of the picture that render() makes. The picture's own draws are run, all stages up to

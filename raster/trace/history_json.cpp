@@ -106,6 +106,7 @@ private:
         write_cuts(t);
         write_piece(e);
         write_terms(e);
+        write_corners(e);
         json_.close('}');
     }
 
@@ -168,6 +169,20 @@ private:
         if (pixel && pixel->outputs) fragment = FragmentEvent{n, p, h_.x, h_.y, *pixel->outputs};
         write_stage(fragment);
         write_stage(pixel ? pixel->blend : std::nullopt);
+    }
+
+    void write_corners(const HistoryEntry& e) {
+        json_.key("corner_light");
+        if (e.corners.empty()) return json_.null();
+        json_.open('[');
+        for (const CornerLight& c : e.corners) {
+            json_.open('{');
+            json_.member("weight", c.weight);
+            json_.member("diffuse", c.diffuse);
+            json_.member("specular", c.specular);
+            json_.close('}');
+        }
+        json_.close(']');
     }
 
     void write_terms(const HistoryEntry& e) {

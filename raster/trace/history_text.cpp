@@ -223,6 +223,12 @@ private:
             }
             if (state(e).blend != Blend::off) text += format(", alpha %.4g", double(pixel.blend->source.a));
             text += "\n";
+            if (!e.corners.empty()) text += "         Gouraud shading lights the corners, and the pixel gets of\n";
+            for (std::size_t i = 0; i < e.corners.size(); ++i) {
+                const CornerLight& c = e.corners[i];
+                text += format("           v%d %7.4f x light, diffuse ", int(i), double(c.weight)) +
+                        numbers(c.diffuse) + " specular " + numbers(c.specular) + "\n";
+            }
         }
         return text;
     }

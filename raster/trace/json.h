@@ -61,6 +61,11 @@ public:
         separate();
         text(words);
     }
+    /// A value that is JSON already.
+    void raw(std::string_view json) {
+        separate();
+        out_ += json;
+    }
     void value(const char* words) { value(std::string_view(words)); }
     template <int N>
     void value(const glm::vec<N, float>& v) {

@@ -36,8 +36,7 @@ void Recorder::on(const DrawEvent& e) {
              e.target.depth_format(),
              u.clip_from_object,
              u.eye_from_object};
-    first_triangle_ = u.first_triangle;
-    triangle_numbers_.assign(u.triangle_numbers.begin(), u.triangle_numbers.end());
+    planned_ = &e.planned;
     attributes_.clear();
     varyings_.clear();
     clips_.clear();
@@ -53,8 +52,7 @@ void Recorder::on(const VertexEvent& e) {
 
 void Recorder::on(const AssembleEvent& e) {
     finish();
-    const std::int64_t number =
-        triangle_numbers_.empty() ? first_triangle_ + e.triangle : triangle_numbers_[std::size_t(e.triangle)];
+    const std::int64_t number = number_in_model(*planned_, e.triangle);
     const auto& chosen = choice_.triangles;
     recording_ = chosen.empty() || std::find(chosen.begin(), chosen.end(), number) != chosen.end();
     if (!recording_) return;

@@ -118,8 +118,7 @@ private:
     RecordChoice choice_;
     Sink sink_;
     RecordedDraw draw_;
-    std::int32_t first_triangle_ = 0;
-    std::vector<std::int32_t> triangle_numbers_;
+    const PlannedDraw* planned_ = nullptr;
     // The draw's vertices, flat: those of one triangle are put into its record.
     std::size_t attribute_count_ = 0, varying_count_ = 0;
     std::vector<float> attributes_, varyings_;

@@ -25,8 +25,7 @@ public:
 
     void on(const DrawEvent& e) {
         draw_ = e.draw;
-        first_triangle_ = e.planned.uniforms.first_triangle;
-        numbers_.assign(e.planned.uniforms.triangle_numbers.begin(), e.planned.uniforms.triangle_numbers.end());
+        planned_ = &e.planned;
         vertices_.clear();
         pending_.clear();
         write<DrawEvent>(out_, [&](JsonWriter& json) { describe(json, e.planned); });
@@ -38,7 +37,7 @@ public:
     }
     void on(const AssembleEvent& e) {
         pending_.clear();
-        number_ = numbers_.empty() ? first_triangle_ + e.triangle : numbers_[std::size_t(e.triangle)];
+        number_ = number_in_model(*planned_, e.triangle);
         chosen_ = filter_.triangles.empty() || std::ranges::find(filter_.triangles, number_) != filter_.triangles.end();
         // What a pixel's triangles are is known when they reach it.
         waiting_ = chosen_ && filter_.pixels;
@@ -130,8 +129,7 @@ private:
     std::string& out_;
     std::array<bool, trace_stages.size()> wanted_{};
     int draw_ = 0;
-    std::int32_t first_triangle_ = 0;
-    std::vector<std::int32_t> numbers_;
+    const PlannedDraw* planned_ = nullptr;
     std::vector<std::string> vertices_;  ///< lines of this draw that may be asked for
     std::string pending_;                ///< lines of a triangle that has not yet reached a chosen pixel
     std::int64_t number_ = 0;
@@ -155,6 +153,11 @@ void write_header(std::string& out, const Target& target, const Model& model, co
     json.member("background", options.background);
     json.member("color_format", target.color_format() == ColorFormat::rgba8 ? "rgba8" : "rgba_float");
     json.member("depth_format", target.depth_format() == DepthFormat::unorm24 ? "unorm24" : "float32");
+    json.key("display");
+    json.open('{');
+    json.member("srgb", source.display.srgb);
+    json.member("exposure", source.display.exposure);
+    json.close('}');
     json.key("camera");
     json.open('{');
     for (const auto& [name, matrix] : {std::pair("eye_from_world", &camera.eye_from_world),
@@ -192,7 +195,7 @@ void write_header(std::string& out, const Target& target, const Model& model, co
     json.member("matrix", "rows from the top; they multiply column vectors");
     json.member("clip", "visible is -w <= x, y, z <= w");
     json.member("depth", "0 near, 1 far; incoming and stored as the depth format has them");
-    json.member("color", "red, green, blue, alpha, 0 to 1");
+    json.member("color", "red, green, blue, alpha as stored; the screen gets it times 2^exposure, sRGB-encoded if so");
     json.close('}');
     json.close('}');
     out += '\n';

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <raster/scene/display.h>
 #include <raster/scene/observe.h>
 
 namespace raster {
@@ -28,6 +29,7 @@ struct TraceFilter {
 struct TraceSource {
     std::string program;  ///< "raster 0.1.0"
     std::string model;    ///< the file's name
+    Display display = {}; ///< what becomes of the target's light on the screen
 };
 
 /// The trace of the picture that render() makes into `target`: a header line, a line for each draw, vertex and event,
