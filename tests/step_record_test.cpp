@@ -37,10 +37,11 @@ Record record_all(const Model& model, const CameraMatrices& camera, const Render
 
 TEST(StepRecord, TheObservedPictureIsTheRenderedOne) {
     const Model model = cube();
-    for (const ShadingFrequency frequency : {ShadingFrequency::flat, ShadingFrequency::phong}) {
+    for (const ShadingFrequency frequency :
+         {ShadingFrequency::flat, ShadingFrequency::gouraud, ShadingFrequency::phong}) {
         RenderOptions options;
         options.frequency = frequency;
-        Target observed(width, height), rendered(width, height);
+        Target observed = watched_target(width, height, options, {}), rendered(width, height);
         record_all(model, camera_at(), options, observed);
         render(rendered, model, camera_at(), options);
         EXPECT_EQ(observed.color8(), rendered.color8());
@@ -49,7 +50,7 @@ TEST(StepRecord, TheObservedPictureIsTheRenderedOne) {
 }
 
 TEST(StepRecord, TheLastFragmentThatPassedIsThePicture) {
-    Target target(width, height);
+    Target target = watched_target(width, height, {}, {});
     const Record record = record_all(cube(), camera_at(), {}, target);
     std::map<std::pair<int, int>, glm::vec4> last;
     for (const FragmentRecord& f : record.fragments)
@@ -68,7 +69,7 @@ TEST(StepRecord, TheLightTakenApartHasTheShadersBits) {
             lamp.kind = LightKind::point;
             lamp.position = {1, 2, 1};
             options.lights.push_back(lamp);
-            Target target(width, height);
+            Target target = watched_target(width, height, options, {});
             const Record record = record_all(cube(), camera_at(), options, target);
             std::size_t lit = 0;
             for (const FragmentRecord& f : record.fragments) {
@@ -82,8 +83,88 @@ TEST(StepRecord, TheLightTakenApartHasTheShadersBits) {
     }
 }
 
+TEST(StepRecord, GouraudsCornersHaveTheShadersBitsAndMixToWhatArrives) {
+    for (const bool two_sided : {true, false}) {  // one-sided plain surfaces hand on a colour, others light
+        for (const Cull cull : {Cull::none, Cull::front}) {
+            RenderOptions options;
+            options.frequency = ShadingFrequency::gouraud;
+            options.two_sided = two_sided;
+            options.cull = cull;
+            Target target = watched_target(width, height, options, {});
+            const Record record = record_all(cube(), camera_at(), options, target);
+            const bool plain = record.draws[0].level == Detail::plain;
+            EXPECT_EQ(plain, !two_sided);
+            std::map<std::int64_t, const TriangleRecord*> triangles;
+            for (const TriangleRecord& t : record.triangles) {
+                triangles[t.number] = &t;
+                for (const VertexRecord& v : t.corners) ASSERT_TRUE(v.shading && v.shading->agrees);
+            }
+            std::size_t mixed = 0;
+            for (const FragmentRecord& f : record.fragments) {
+                if (!f.passed) continue;
+                EXPECT_EQ(f.terms.has_value(), !plain);
+                const TriangleRecord& t = *triangles[f.triangle];
+                const PieceRecord& piece = t.pieces[std::size_t(f.piece)];
+                const std::size_t side = plain || piece.front_facing ? 0 : 6;
+                for (std::size_t c = 0; c < (plain ? 3 : 6); ++c) {
+                    float mix = 0;
+                    for (std::size_t i = 0; i < 3; ++i)
+                        mix += f.weights[i] *
+                               t.corners[std::size_t(piece.setup->setup.order[i])].varyings[side + c];
+                    EXPECT_NEAR(mix, f.varyings[side + c], 1e-3f);
+                }
+                ++mixed;
+            }
+            EXPECT_GT(mixed, 100u);
+        }
+    }
+}
+
+TEST(StepRecord, LightForAScreenIsKeptAsThePictureHasIt) {
+    const Display display{true, 0.5f};
+    RenderOptions options;
+    options.background = light_for(options.background, display);
+    Target watched = watched_target(width, height, options, display);
+    const Record record = record_all(cube(), camera_at(), options, watched);
+    Target light(width, height, ColorFormat::rgba_float);
+    render(light, cube(), camera_at(), options);
+    const Target picture = displayed(light, display);
+    std::map<std::pair<int, int>, glm::vec4> last;
+    for (const FragmentRecord& f : record.fragments)
+        if (f.passed) last[{f.x, f.y}] = f.after;
+    EXPECT_GT(last.size(), 100u);
+    for (const auto& [place, color] : last)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_EQ(to_unorm8(shown_value(color[c], display)),
+                      int(picture.color8()[picture.index(place.first, place.second)] >> (8 * c) & 255));
+}
+
+TEST(StepRecord, ABugIsInAllThatIsKept) {
+    RenderOptions options;
+    for (const BugInfo& info : bugs) {
+        SCOPED_TRACE(info.name);
+        Record record{};
+        record.width = width, record.height = height;
+        record.region = {0, 0, width - 1, height - 1};
+        record.bug = info.bug;
+        Recorder recorder(record, {{0, "all"}}, options.world_from_object);
+        Target watched = watched_target(width, height, options, {}), wrong(width, height);
+        watch(watched, cube(), camera_at(3.2f), options, recorder, info.bug);
+        render_bug(info.bug, wrong, cube(), camera_at(3.2f), options);
+        EXPECT_EQ(watched.color8(), wrong.color8());
+        std::map<std::pair<int, int>, glm::vec4> last;
+        for (const FragmentRecord& f : record.fragments) {
+            if (!f.passed) continue;
+            last[{f.x, f.y}] = f.after;
+            ASSERT_TRUE(f.shading && f.shading->agrees);
+            EXPECT_TRUE(info.bug != Bug::affine || f.weights == f.affine_weights);
+        }
+        for (const auto& [place, color] : last) EXPECT_EQ(color, wrong.color(place.first, place.second));
+    }
+}
+
 TEST(StepRecord, EveryNewCornerOfACutHasItsEdgeAndItsT) {
-    Target target(width, height);
+    Target target = watched_target(width, height, {}, {});
     const Record record = record_all(cube(), camera_at(3.2f), {}, target);
     int cuts = 0;
     for (const TriangleRecord& t : record.triangles) {
@@ -95,7 +176,8 @@ TEST(StepRecord, EveryNewCornerOfACutHasItsEdgeAndItsT) {
                     continue;
                 }
                 ++cuts;
-                const CornerRecord &a = plane.before[std::size_t(corner.from)], &b = plane.before[std::size_t(corner.to)];
+                const CornerRecord &a = plane.before[std::size_t(corner.from)],
+                                   &b = plane.before[std::size_t(corner.to)];
                 EXPECT_NE(a.distance >= 0, b.distance >= 0);
                 EXPECT_GE(corner.t, 0.0f);
                 EXPECT_LE(corner.t, 1.0f);
@@ -107,7 +189,7 @@ TEST(StepRecord, EveryNewCornerOfACutHasItsEdgeAndItsT) {
 }
 
 TEST(StepRecord, WeightsAddUpToOneAndThePlanesAgreeWithTheEdges) {
-    Target target(width, height);
+    Target target = watched_target(width, height, {}, {});
     const Record record = record_all(cube(), camera_at(), {}, target);
     for (const FragmentRecord& f : record.fragments) {
         EXPECT_NEAR(f.weights[0] + f.weights[1] + f.weights[2], 1.0f, 1e-4f);
@@ -123,7 +205,7 @@ TEST(StepRecord, WeightsAddUpToOneAndThePlanesAgreeWithTheEdges) {
 }
 
 TEST(StepRecord, CoverageHoldsOneTripleAPixelOfItsRectangle) {
-    Target target(width, height);
+    Target target = watched_target(width, height, {}, {});
     const Record record = record_all(cube(), camera_at(), {}, target);
     for (const TriangleRecord& t : record.triangles) {
         for (const PieceRecord& p : t.pieces) {
@@ -137,17 +219,14 @@ TEST(StepRecord, CoverageHoldsOneTripleAPixelOfItsRectangle) {
 
 TEST(StepSurvey, TheBusyPixelIsCoveredOftenAndItsTrianglesAreChosenFirst) {
     const Model model = cube();
-    Target target(width, height);
+    Target target = watched_target(width, height, {}, {});
     Survey survey(width, height);
     watch(target, model, camera_at(), {}, survey);
     const glm::ivec2 pixel = survey.busy_pixel();
-    StepOptions options;
-    options.max_triangles = 2;
-    const auto chosen = survey.choose(options, pixel, {0, 0, width - 1, height - 1});
+    const auto chosen = survey.choose(2, {}, pixel, {0, 0, width - 1, height - 1});
     ASSERT_EQ(chosen.size(), 2u) << "no more than asked for";
     for (const auto& [number, why] : chosen) EXPECT_EQ(why, "covers the pixel");
-    options.triangle = 11;
-    EXPECT_TRUE(survey.choose(options, pixel, {0, 0, width - 1, height - 1}).contains(11));
+    EXPECT_TRUE(survey.choose(2, 11, pixel, {0, 0, width - 1, height - 1}).contains(11));
 }
 
 TEST(StepPage, IsOneFileThatSaysWhatItLeftOut) {
@@ -161,6 +240,27 @@ TEST(StepPage, IsOneFileThatSaysWhatItLeftOut) {
     EXPECT_NE(page->find("Of 12 triangles 3 are followed"), std::string::npos);
     EXPECT_EQ(page->find("http://"), std::string::npos);
     EXPECT_EQ(page->find("https://"), std::string::npos);
+}
+
+TEST(StepPage, OfABugOpensAtTheFirstEventThatDiffers) {
+    for (const BugInfo& info : bugs) {
+        SCOPED_TRACE(info.name);
+        StepOptions options;
+        options.bug = info.bug;
+        const Result<std::string> page = step_page(cube(), camera_at(3.2f), width, height, {}, options);
+        ASSERT_TRUE(page);
+        const auto first = first_difference(info.bug, width, height, cube(), camera_at(3.2f), {});
+        ASSERT_TRUE(first);
+        const auto has = [&](const std::string& text) { return page->find(text) != std::string::npos; };
+        EXPECT_TRUE(has("\"name\":\"" + std::string(info.name) + "\""));
+        EXPECT_TRUE(has("\"first\":{\"event\":" + std::to_string(first->event)));
+        EXPECT_TRUE(has("\"differing\":"));
+        ASSERT_TRUE(first->place.triangle);
+        EXPECT_TRUE(has(",\"triangle\":" + std::to_string(*first->place.triangle + 1) + ",\"stage\":\"\"}"));
+    }
+    const Result<std::string> right = step_page(cube(), camera_at(), width, height, {}, {});
+    ASSERT_TRUE(right);
+    EXPECT_EQ(right->find("\"differing\":"), std::string::npos);
 }
 
 TEST(StepPage, RefusesWhatIsNotThere) {

@@ -1,6 +1,6 @@
 # embed-page.cmake: `cmake -DOUTPUT=x.cpp -DFOLDER=dir -P embed-page.cmake`: the stepper page's sources as C++ strings.
 # The scripts are joined in the order below; each is a part of one function, so that nothing becomes global.
-set(SCRIPTS data state question view3d grid panel_geometry panel_raster panel_shade panels scrubber worksheet main)
+set(SCRIPTS data state bug question view3d grid panel_geometry panel_raster panel_shade panels scrubber worksheet main)
 
 file(READ ${FOLDER}/page.html HTML)
 file(READ ${FOLDER}/style.css STYLE)

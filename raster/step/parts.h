@@ -26,9 +26,11 @@ struct Scene {
 /// prints.
 void write_scene(JsonText& json, const Scene& scene, const Record& record);
 void write_triangles(JsonText& json, const Record& record);
-void write_fragments(JsonText& json, const Record& record);
+void write_fragments(JsonText& json, const Scene& scene, const Record& record);
+void write(JsonText& json, const ShadingRecord& shading);
 
-/// The picture, its terms, the other shading frequencies and the painter's picture, cut to a rectangle.
+/// The picture, its terms, the other shading frequencies, the painter's picture and, with a bug, the right one and
+/// where they differ; cut to a rectangle.
 Status write_pictures(JsonText& json, const Scene& scene, const Record& record);
 
 /// The model's triangles for the 3D view, thinned out where there are many. Says into `left_out` if so.

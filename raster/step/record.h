@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <raster/scene/draw_plan.h>
-#include <raster/trace/events.h>
+#include <raster/bugs/render_bug.h>
 
 namespace raster::step {
 
@@ -14,21 +13,14 @@ namespace raster::step {
 struct DrawRecord {
     std::string material;
     ShadingFrequency frequency;
-    std::string reflectance;  ///< the model's name
+    Detail level;
+    std::string reflectance;       ///< the model's name
+    std::optional<float> n_h_power, r_v_power;  ///< of highlights that are a power of n h, or of r v
     State state;
     std::int64_t triangles = 0;
     std::size_t vertices = 0;
     std::vector<std::string> varyings;  ///< names, one a float
     glm::mat4 clip_from_object, eye_from_object;
-};
-
-/// A vertex in the spaces the stage and the model know.
-struct VertexRecord {
-    std::uint32_t number;  ///< in the draw
-    std::vector<float> attributes;
-    glm::vec4 clip;
-    std::vector<float> varyings;
-    glm::vec4 world{0.0f}, eye{0.0f};  ///< by the same function as clip, with the matrices up to there
 };
 
 /// A corner of a polygon that is being clipped. Where it is new, from whose edge it came and at which t.
@@ -63,6 +55,7 @@ struct SetupRecord {
 /// Stages 4 to 7 of what clipping left of a triangle.
 struct PieceRecord {
     std::array<glm::vec4, 3> clip;
+    std::array<std::vector<float>, 3> varyings;  ///< of corners that clipping made; else empty
     std::array<WindowVertex<float>, 3> window;
     std::array<SubpixelVertex<float>, 3> subpixel;
     std::array<glm::vec3, 3> ndc;  ///< what `project` has between its two steps
@@ -70,6 +63,41 @@ struct PieceRecord {
     bool front_facing = false;
     CullEvent::Verdict verdict = CullEvent::Verdict::kept;
     std::optional<SetupRecord> setup;
+};
+
+/// What one light gives at a point, by the functions the shader calls.
+struct LightRecord {
+    int light;
+    glm::vec3 l;
+    float strength;
+    float n_l, n_v, l_v;
+    glm::vec3 h;
+    float n_h, r_v;  ///< r mirrors l
+    glm::vec3 diffuse, specular;            ///< the reflectance model's answer
+    glm::vec3 lit_diffuse, lit_specular;    ///< times strength and the light's colour
+};
+
+/// The light at one point of a surface.
+struct ShadingRecord {
+    std::string where;  ///< "pixel", "centroid" or "corner"
+    glm::vec3 position_eye, n, v;
+    std::vector<LightRecord> lights;
+    glm::vec3 sum_diffuse, sum_specular;
+    glm::vec3 ka, kd, ks, emission;
+    glm::vec3 ambient;  ///< of the lights
+    float alpha;
+    Terms<float> terms;  ///< light times colours
+    bool agrees = false; ///< with the bits that the shader returned
+};
+
+/// A vertex in the spaces the stage and the model know.
+struct VertexRecord {
+    std::uint32_t number;  ///< in the draw
+    std::vector<float> attributes;
+    glm::vec4 clip;
+    std::vector<float> varyings;
+    glm::vec4 world{0.0f}, eye{0.0f};  ///< by the same function as clip, with the matrices up to there
+    std::optional<ShadingRecord> shading;  ///< with Gouraud shading: its light, of the side that is seen
 };
 
 struct TriangleRecord {
@@ -86,30 +114,6 @@ struct TriangleRecord {
     std::vector<PieceRecord> pieces;
 };
 
-/// What one light gives at a point, by the functions the shader calls.
-struct LightRecord {
-    int light;
-    glm::vec3 l;
-    float strength;
-    float n_l, n_v, l_v;
-    glm::vec3 h;
-    float n_h;
-    glm::vec3 diffuse, specular;            ///< the reflectance model's answer
-    glm::vec3 lit_diffuse, lit_specular;    ///< times strength and the light's colour
-};
-
-/// The light at one point of a surface.
-struct ShadingRecord {
-    std::string where;  ///< "pixel" or "centroid"
-    glm::vec3 position_eye, n, v;
-    std::vector<LightRecord> lights;
-    glm::vec3 sum_diffuse, sum_specular;
-    glm::vec3 ka, kd, ks, emission;
-    glm::vec3 ambient;  ///< of the lights
-    float alpha;
-    bool agrees;        ///< the terms have the bits that the shader returned
-};
-
 /// Stages 7 to 11 at one pixel that a piece covers.
 struct FragmentRecord {
     std::int64_t triangle;  ///< number in the model
@@ -123,6 +127,7 @@ struct FragmentRecord {
     std::vector<float> affine;    ///< the same linear in the window
     std::array<float, 3> weights{}, affine_weights{};  ///< as a varying that is 1 at one corner, 0 at the others
     std::vector<float> outputs;
+    std::optional<Terms<float>> terms;  ///< where the shader summed them and did not give them out
     glm::vec4 source{0.0f}, before{0.0f}, after{0.0f};
     std::optional<ShadingRecord> shading;
 };
@@ -150,6 +155,8 @@ struct Record {
     std::vector<TriangleRecord> triangles;
     std::vector<FragmentRecord> fragments;
     std::vector<PaintedRecord> painted;
+    std::optional<Bug> bug;
+    std::optional<FirstDifference> first_difference;  ///< from the right run
     DrawCounts counts;
     std::vector<std::string> left_out;  ///< in words
 };

@@ -4,23 +4,10 @@
 #include <algorithm>
 
 #include <raster/stages/coverage.h>
+#include <raster/trace/event_json.h>
 
 namespace raster::step {
 namespace {
-
-std::vector<std::string> varying_names(ShadingFrequency frequency) {
-    switch (frequency) {
-        case ShadingFrequency::flat: return {"uv.x", "uv.y"};
-        case ShadingFrequency::gouraud:
-            return {"front.diffuse.r", "front.diffuse.g", "front.diffuse.b", "front.specular.r", "front.specular.g",
-                    "front.specular.b", "back.diffuse.r", "back.diffuse.g", "back.diffuse.b", "back.specular.r",
-                    "back.specular.g", "back.specular.b", "uv.x", "uv.y", "color.r", "color.g", "color.b",
-                    "normal_eye.x", "normal_eye.y", "normal_eye.z"};
-        case ShadingFrequency::phong: break;
-    }
-    return {"normal_eye.x", "normal_eye.y", "normal_eye.z", "position_eye.x", "position_eye.y", "position_eye.z",
-            "uv.x", "uv.y", "color.r", "color.g", "color.b"};
-}
 
 template <class Span>
 std::vector<float> copy(const Span& span) {
@@ -54,28 +41,34 @@ void find_origin(CornerRecord& corner, const std::vector<CornerRecord>& before) 
 
 }  // namespace
 
-void Recorder::begin(const PlannedDraw& draw, int number) {
+void Recorder::on(const DrawEvent& event) {
+    const PlannedDraw& draw = event.planned;
     draw_ = &draw;
-    draw_number_ = number;
+    draw_number_ = event.draw;
     vertices_.clear();
     DrawRecord d;
     d.frequency = draw.frequency;
+    d.level = draw.level;
     d.reflectance = std::visit([](const auto& m) { return std::string(m.name); }, draw.reflectance);
+    if (const auto* blinn = std::get_if<BlinnPhong>(&draw.reflectance))
+        d.n_h_power = blinn->convention == BlinnPhong::Exponent::alpha ? blinn->exponent : blinn->exponent * 0.25f;
+    if (const auto* phong = std::get_if<Phong>(&draw.reflectance)) d.r_v_power = phong->exponent;
     d.state = draw.state;
     d.vertices = draw.mesh.vertices.size();
-    d.varyings = varying_names(draw.frequency);
+    d.varyings = varying_names(draw.frequency, draw.level);
     d.clip_from_object = draw.uniforms.clip_from_object;
     d.eye_from_object = draw.uniforms.eye_from_object;
     record_.draws.push_back(std::move(d));
 }
 
 void Recorder::on(const VertexEvent& event) {
-    vertices_.push_back({event.vertex, copy(event.attributes), event.clip, copy(event.varyings)});
+    vertices_.push_back(
+        {event.vertex, copy(event.attributes), event.clip, copy(event.varyings), glm::vec4(0.0f), glm::vec4(0.0f), {}});
 }
 
 void Recorder::on(const AssembleEvent& event) {
     ++record_.draws.back().triangles;
-    number_ = model_number(*draw_, event.triangle);
+    number_ = number_in_model(*draw_, event.triangle);
     corners_ = event.vertices;
     polygon_.clear();
     const auto why = chosen_.find(number_);
@@ -126,6 +119,7 @@ void Recorder::on(const ProjectEvent& event) {
     piece.window = event.window;
     piece.subpixel = event.subpixel;
     for (std::size_t c = 0; c < 3; ++c) piece.ndc[c] = glm::vec3(event.clip[c]) * event.window[c].oow;
+    if (!polygon_.empty()) piece.varyings = piece_.varyings;
     triangle()->pieces.push_back(std::move(piece));
 }
 
@@ -136,6 +130,9 @@ void Recorder::on(const CullEvent& event) {
     p.area = event.area;
     p.front_facing = event.front_facing;
     p.verdict = event.verdict;
+    if (draw_->frequency != ShadingFrequency::gouraud) return;
+    for (VertexRecord& v : triangle()->corners)
+        v.shading = shading_of_corner(*draw_, v.number, event.front_facing, v.varyings);
 }
 
 void Recorder::on(const SetupEvent& event) {
@@ -152,7 +149,7 @@ void Recorder::on(const SetupEvent& event) {
         std::array<float, 3> one{};
         one[i] = 1;
         piece_.affine_weights[i] = make_plane(s.basis, one[0], one[1], one[2]);
-        one[i] = piece_.window[corner(i)].oow;
+        one[i] = record_.bug == Bug::affine ? 1 : piece_.window[corner(i)].oow;
         piece_.weights[i] = make_plane(s.basis, one[0], one[1], one[2]);
     }
     if (!is_chosen_) return;
@@ -221,7 +218,10 @@ void Recorder::on(const FragmentEvent& event) {
     FragmentRecord* f = fragment(event.x, event.y);
     if (!f) return;
     f->outputs = copy(event.outputs);
-    f->shading = shading_at(*draw_, event.triangle, piece_.front_facing, f->varyings, f->outputs);
+    if (draw_->frequency == ShadingFrequency::gouraud)
+        f->terms = terms_of_varyings(*draw_, piece_.front_facing, f->varyings, f->outputs);
+    else
+        f->shading = shading_at(*draw_, event.triangle, piece_.front_facing, record_.bug, f->varyings, f->outputs);
 }
 
 void Recorder::on(const BlendEvent& event) {

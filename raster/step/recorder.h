@@ -4,29 +4,29 @@
 #include <map>
 
 #include <raster/step/record.h>
-#include <raster/step/sink.h>
+#include <raster/step/watch.h>
 
 namespace raster::step {
 
-class Recorder : public Sink {
+class Recorder {
 public:
     /// Fills `record`, whose pixel and region are set. `chosen` are triangles by number in the model, and why.
     Recorder(Record& record, std::map<std::int64_t, std::string> chosen, const glm::mat4& world_from_object)
         : record_(record), chosen_(std::move(chosen)), world_from_object_(world_from_object) {}
 
-    void begin(const PlannedDraw& draw, int number) override;
-    void on(const VertexEvent& event) override;
-    void on(const AssembleEvent& event) override;
-    void on(const ClipPlaneEvent& event) override;
-    void on(const ClipEvent& event) override;
-    void on(const ProjectEvent& event) override;
-    void on(const CullEvent& event) override;
-    void on(const SetupEvent& event) override;
-    void on(const CoverageEvent& event) override;
-    void on(const DepthEvent& event) override;
-    void on(const InterpolateEvent& event) override;
-    void on(const FragmentEvent& event) override;
-    void on(const BlendEvent& event) override;
+    void on(const DrawEvent& event);
+    void on(const VertexEvent& event);
+    void on(const AssembleEvent& event);
+    void on(const ClipPlaneEvent& event);
+    void on(const ClipEvent& event);
+    void on(const ProjectEvent& event);
+    void on(const CullEvent& event);
+    void on(const SetupEvent& event);
+    void on(const CoverageEvent& event);
+    void on(const DepthEvent& event);
+    void on(const InterpolateEvent& event);
+    void on(const FragmentEvent& event);
+    void on(const BlendEvent& event);
 
 private:
     /// The piece at hand, whether its triangle is chosen or not.
@@ -59,14 +59,14 @@ private:
 };
 
 /// The painter's algorithm at the pixels of a region.
-class PaintRecorder : public Sink {
+class PaintRecorder {
 public:
     PaintRecorder(Record& record) : record_(record) {}
-    void begin(const PlannedDraw& draw, int) override { draw_ = &draw; }
-    void on(const DepthEvent& event) override { z_ = event.z; }
-    void on(const BlendEvent& event) override {
+    void on(const DrawEvent& event) { draw_ = &event.planned; }
+    void on(const DepthEvent& event) { z_ = event.z; }
+    void on(const BlendEvent& event) {
         if (record_.region.holds(event.x, event.y))
-            record_.painted.push_back({model_number(*draw_, event.triangle), event.x, event.y, z_, event.after});
+            record_.painted.push_back({number_in_model(*draw_, event.triangle), event.x, event.y, z_, event.after});
     }
 
 private:
@@ -75,8 +75,15 @@ private:
     float z_ = 0;
 };
 
-/// What the shader computed at a fragment, term by term. Nothing for Gouraud shading, whose light is the corners'.
-std::optional<ShadingRecord> shading_at(const PlannedDraw& draw, std::int64_t triangle, bool front_facing,
-                                        std::span<const float> varyings, std::span<const float> outputs);
+/// What the shader computed at a fragment of flat or Phong shading, term by term.
+ShadingRecord shading_at(const PlannedDraw& draw, std::int64_t triangle, bool front_facing,
+                         const std::optional<Bug>& bug, std::span<const float> varyings,
+                         std::span<const float> outputs);
+/// What Gouraud's vertex shader computed, of the side that is seen.
+ShadingRecord shading_of_corner(const PlannedDraw& draw, std::uint32_t vertex, bool front_facing,
+                                std::span<const float> varyings);
+/// What Gouraud's fragment shader summed from the light that arrived as varyings; nothing where it arrived as a colour.
+std::optional<Terms<float>> terms_of_varyings(const PlannedDraw& draw, bool front_facing,
+                                              std::span<const float> varyings, std::span<const float> outputs);
 
 }  // namespace raster::step

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <raster/pipeline.h>
+#include <raster/scene/position_shader.h>
 #include <raster/scene/transform.h>
 #include <raster/shading/uniforms.h>
 
@@ -13,23 +14,16 @@ namespace {
 const glm::vec4 paper{0.09f, 0.10f, 0.13f, 1.0f};
 const glm::vec4 ink{0.50f, 0.71f, 1.0f, 1.0f};
 
-/// One colour all over, or a colour for each triangle.
-template <bool by_triangle>
-struct PlainShader {
+struct OneColor {
     template <class F>
-    using Vertex = SurfaceVertex<F>;
-    template <class F>
-    struct Varyings {};
-
-    glm::mat4 clip_from_object;
-
-    template <class F>
-    VertexOut<F, Varyings> vertex(const SurfaceVertex<F>& v) const {
-        return {transform_point(clip_from_object, v.position), {}};
+    vec<4, F> operator()(const FragmentInput<F>&) const {
+        return {F(ink.r), F(ink.g), F(ink.b), F(1)};
     }
+};
+
+struct ColorOfTriangle {
     template <class F>
-    vec<4, F> fragment(const Varyings<F>&, const FragmentInput<F>& at) const {
-        if constexpr (!by_triangle) return {F(ink.r), F(ink.g), F(ink.b), F(1)};
+    vec<4, F> operator()(const FragmentInput<F>& at) const {
         const Int<F> number = at.triangle * Int<F>(7919) + Int<F>(12345);  // neighbours far apart
         const auto channel = [&](int shift) {
             return F(0.25f) + to_float((number >> shift) & Int<F>(63)) * F(0.7f / 63.0f);
@@ -48,7 +42,8 @@ Image8 picture_of(const Target& target, const Value& value) {
 }
 
 Image8 colors_of(const Target& target) {
-    return picture_of(target, [&](std::size_t i, int c) { return float(target.color8()[i] >> (8 * c) & 255) / 255.0f; });
+    return picture_of(target,
+                      [&](std::size_t i, int c) { return float(target.color8()[i] >> (8 * c) & 255) / 255.0f; });
 }
 
 /// The edges of all triangles, two indices each.
@@ -74,7 +69,7 @@ void add_bar(Image8& image, std::size_t done, std::size_t count) {
 }  // namespace
 
 std::vector<StagePicture> stage_pictures(const Model& model, const CameraMatrices& camera, int width, int height,
-                                         const RenderOptions& options) {
+                                         const RenderOptions& options, const Display& display) {
     const glm::mat4 clip_from_object = product(camera.clip_from_world, options.world_from_object);
     std::vector<StagePicture> pictures;
     Target plain(width, height);
@@ -84,8 +79,8 @@ std::vector<StagePicture> stage_pictures(const Model& model, const CameraMatrice
         draw(plain, shader, {model.vertices, indices}, state);
         pictures.push_back({name, colors_of(plain)});
     };
-    const PlainShader<false> one_color{clip_from_object};
-    const PlainShader<true> triangle_colors{clip_from_object};
+    const PositionShader<OneColor> one_color{clip_from_object, {}};
+    const PositionShader<ColorOfTriangle> triangle_colors{clip_from_object, {}};
     State state;
     state.cull = options.cull;
     state.fill_rule = options.fill_rule;
@@ -111,8 +106,11 @@ std::vector<StagePicture> stage_pictures(const Model& model, const CameraMatrice
                             return z < 1 ? 1.0f - 0.85f * (z - near_depth) / span : 0.0f;
                         })});
 
-    Target target(width, height, ColorFormat::rgba8, DepthFormat::unorm24, shaded_plane::count);
-    render(target, model, camera, options);
+    Target target(width, height, display.is_plain() ? ColorFormat::rgba8 : ColorFormat::rgba_float,
+                  DepthFormat::unorm24, shaded_plane::count);
+    RenderOptions lit = options;
+    lit.background = light_for(options.background, display);
+    render(target, model, camera, lit);
     pictures.push_back({"interpolate", picture_of(target, [&](std::size_t i, int c) {
                             const bool hit = target.extra(shaded_plane::triangle)[i] > 0;
                             return hit ? target.extra(shaded_plane::normal + c)[i] * 0.5f + 0.5f : paper[c];
@@ -124,9 +122,9 @@ std::vector<StagePicture> stage_pictures(const Model& model, const CameraMatrice
     for (const Term& term : {Term{"ambient", shaded_plane::ambient}, Term{"diffuse", shaded_plane::diffuse},
                              Term{"specular", shaded_plane::specular}})
         pictures.push_back({term.name, picture_of(target, [&](std::size_t i, int c) {
-                                return target.extra(term.plane + c)[i];
+                                return shown_value(target.extra(term.plane + c)[i], display);
                             })});
-    pictures.push_back({"blend", colors_of(target)});
+    pictures.push_back({"blend", colors_of(display.is_plain() ? target : displayed(target, display))});
     for (std::size_t i = 0; i < pictures.size(); ++i) add_bar(pictures[i].image, i, pictures.size());
     return pictures;
 }

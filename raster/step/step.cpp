@@ -26,7 +26,9 @@ Region region_around(glm::ivec2 pixel, int width, int height, const StepOptions&
 
 /// All numbers of the fragments nearest to the pixel of interest, whole pixels at a time.
 void choose_detail(Record& record, int max_fragments) {
-    const auto distance = [&](int x, int y) { return std::max(std::abs(x - record.pixel.x), std::abs(y - record.pixel.y)); };
+    const auto distance = [&](int x, int y) {
+        return std::max(std::abs(x - record.pixel.x), std::abs(y - record.pixel.y));
+    };
     std::vector<int> fragments(std::size_t(std::max(record.width, record.height)) + 1);
     for (const FragmentRecord& f : record.fragments) ++fragments[std::size_t(distance(f.x, f.y))];
     int radius = 0;
@@ -60,6 +62,29 @@ void name_draws(Record& record, const Model& model) {
     }
 }
 
+/// The one that was asked for, or one that has something to show: where the bug shows, nearest to its first triangle;
+/// in the triangle; where surfaces overlap. `shown` has the picture of the survey.
+glm::ivec2 pixel_of_interest(const Scene& scene, const Record& record, const Survey& survey,
+                             const std::optional<std::int64_t>& triangle, const Target& shown,
+                             const RenderOptions& options) {
+    if (scene.step.pixel) return *scene.step.pixel;
+    const int width = record.width, height = record.height;
+    glm::ivec2 pixel = survey.busy_pixel();
+    if (triangle) pixel = survey.pixel_of(*triangle).value_or(glm::ivec2(width / 2, height / 2));
+    if (!scene.step.bug || scene.step.triangle) return pixel;
+    if (record.first_difference && record.first_difference->place.pixel) pixel = *record.first_difference->place.pixel;
+    Target right = watched_target(width, height, options, scene.step.display);
+    render(right, scene.model, scene.camera, options);
+    std::int64_t nearest = INT64_MAX;
+    glm::ivec2 found = pixel;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::int64_t dx = x - pixel.x, dy = y - pixel.y, square = dx * dx + dy * dy;
+            if (square < nearest && right.color(x, y) != shown.color(x, y)) nearest = square, found = {x, y};
+        }
+    return found;
+}
+
 Result<Record> make_record(const Scene& scene, int width, int height) {
     const StepOptions& step = scene.step;
     const auto wrong = [](const std::string& what) { return Error{ErrorKind::usage, what}; };
@@ -70,28 +95,33 @@ Result<Record> make_record(const Scene& scene, int width, int height) {
     if (step.triangle && (*step.triangle < 0 || *step.triangle >= triangles))
         return wrong("there is no triangle " + comma(*step.triangle + 1) + "; the model has " + comma(triangles));
 
-    Target target(width, height);
+    RenderOptions options = scene.options;
+    options.background = light_for(options.background, step.display);
+    Target target = watched_target(width, height, options, step.display);
     Survey survey(width, height);
     Record record{};
     record.width = width;
     record.height = height;
-    record.counts = watch(target, scene.model, scene.camera, scene.options, survey);
-    if (step.pixel) record.pixel = *step.pixel;
-    else if (step.triangle) record.pixel = survey.pixel_of(*step.triangle).value_or(glm::ivec2(width / 2, height / 2));
-    else record.pixel = survey.busy_pixel();
+    record.bug = step.bug;
+    record.counts = watch(target, scene.model, scene.camera, options, survey, step.bug);
+    if (step.bug)
+        record.first_difference = first_difference(*step.bug, width, height, scene.model, scene.camera, options);
+    std::optional<std::int64_t> triangle = step.triangle;
+    if (!triangle && record.first_difference) triangle = record.first_difference->place.triangle;
+    record.pixel = pixel_of_interest(scene, record, survey, triangle, target, options);
     record.region = region_around(record.pixel, width, height, step);
 
-    auto chosen = survey.choose(step, record.pixel, record.region);
+    auto chosen = survey.choose(step.max_triangles, triangle, record.pixel, record.region);
     const auto kept = std::int64_t(chosen.size());
-    Recorder recorder(record, std::move(chosen), scene.options.world_from_object);
-    watch(target, scene.model, scene.camera, scene.options, recorder);
-    RenderOptions painted = scene.options;
+    Recorder recorder(record, std::move(chosen), options.world_from_object);
+    watch(target, scene.model, scene.camera, options, recorder, step.bug);
+    RenderOptions painted = options;
     painted.visibility = Visibility::painter;
     PaintRecorder painter(record);
-    watch(target, scene.model, scene.camera, painted, painter);
+    watch(target, scene.model, scene.camera, painted, painter, step.bug);
 
-    record.focus = step.triangle.value_or(-1);
-    if (!step.triangle) {
+    record.focus = triangle.value_or(-1);
+    if (!triangle) {
         for (const FragmentRecord& f : record.fragments)
             if (f.passed && f.x == record.pixel.x && f.y == record.pixel.y) record.focus = f.triangle;
         if (record.focus < 0 && !record.triangles.empty()) record.focus = record.triangles.front().number;
@@ -152,7 +182,7 @@ Result<std::string> step_page(const Model& model, const CameraMatrices& camera, 
     json.object([&] {
         write_scene(json, scene, *record);
         write_triangles(json, *record);
-        write_fragments(json, *record);
+        write_fragments(json, scene, *record);
         status = write_pictures(json, scene, *record);
         write_mesh(json, model, options.world_from_object, record->left_out);
         json.member("left_out", record->left_out);

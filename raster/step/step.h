@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
+#include <raster/bugs/bug.h>
 #include <raster/result.h>
 #include <raster/scene/camera.h>
+#include <raster/scene/display.h>
 #include <raster/scene/render.h>
 
 namespace raster {
@@ -17,6 +19,8 @@ struct StepOptions {
     std::optional<glm::ivec2> pixel;      ///< the pixel of interest; by default one where much happens
     std::optional<std::int64_t> triangle; ///< shown first, from 0; by default the one whose colour the pixel has
     std::string stage;                    ///< shown first: a name of stage_names, or empty
+    std::optional<Bug> bug;               ///< of the run that is shown; the right one stands beside it
+    Display display;                      ///< what becomes of the light on the screen
     int questions = 0;                    ///< of a worksheet that the page opens with; 0 for none
     int max_triangles = 40;               ///< that are shown from vertex to pixel
     int region_width = 25;                ///< pixels around the pixel of interest whose fragments are shown

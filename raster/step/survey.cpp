@@ -25,10 +25,11 @@ int Survey::Piece::distance_to(glm::ivec2 pixel) const {
     return std::max(dx, dy);
 }
 
-void Survey::begin(const PlannedDraw& draw, int) { draw_ = &draw; }
+void Survey::on(const DrawEvent& event) { draw_ = &event.planned; }
 
 void Survey::on(const AssembleEvent& event) {
-    triangles_.push_back({model_number(*draw_, event.triangle), event.bad_index ? Fate::bad_index : Fate::drawn, false});
+    triangles_.push_back(
+        {number_in_model(*draw_, event.triangle), event.bad_index ? Fate::bad_index : Fate::drawn, false});
 }
 
 void Survey::on(const ClipEvent& event) {
@@ -95,14 +96,14 @@ std::optional<glm::ivec2> Survey::pixel_of(std::int64_t triangle) const {
     return std::nullopt;
 }
 
-std::map<std::int64_t, std::string> Survey::choose(const StepOptions& options, glm::ivec2 pixel,
-                                                   const Region& region) const {
+std::map<std::int64_t, std::string> Survey::choose(int max_triangles, const std::optional<std::int64_t>& first,
+                                                   glm::ivec2 pixel, const Region& region) const {
     std::map<std::int64_t, std::string> chosen;
-    const auto room = [&] { return int(chosen.size()) < options.max_triangles; };
+    const auto room = [&] { return int(chosen.size()) < max_triangles; };
     const auto take = [&](std::int64_t number, const char* why) {
         if (room()) chosen.emplace(number, why);
     };
-    if (options.triangle) take(*options.triangle, "asked for");
+    if (first) take(*first, "is shown first");
     for (const Piece& piece : pieces_)
         if (piece.covers(pixel.x, pixel.y)) take(triangles_[piece.triangle].number, "covers the pixel");
 
@@ -130,7 +131,8 @@ std::map<std::int64_t, std::string> Survey::choose(const StepOptions& options, g
     for (const Piece& piece : pieces_)
         if (!piece.box.empty()) near.emplace_back(piece.distance_to(pixel), piece.triangle);
     std::ranges::sort(near);
-    for (const auto& [d, triangle] : near) take(triangles_[triangle].number, d == 0 ? "nearly covers the pixel" : "lies near the pixel");
+    for (const auto& [d, triangle] : near)
+        take(triangles_[triangle].number, d == 0 ? "nearly covers the pixel" : "lies near the pixel");
     for (const Surveyed& t : triangles_) take(t.number, "fills the page's room");
     return chosen;
 }

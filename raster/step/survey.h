@@ -4,29 +4,30 @@
 #include <map>
 
 #include <raster/step/record.h>
-#include <raster/step/sink.h>
-#include <raster/step/step.h>
+#include <raster/trace/events.h>
 
 namespace raster::step {
 
 /// What becomes of the triangles, in few bytes each.
-class Survey : public Sink {
+class Survey {
 public:
-    Survey(int width, int height) : width_(width), height_(height), covered_(std::size_t(width) * std::size_t(height)) {}
+    Survey(int width, int height)
+        : width_(width), height_(height), covered_(std::size_t(width) * std::size_t(height)) {}
 
-    void begin(const PlannedDraw& draw, int number) override;
-    void on(const AssembleEvent& event) override;
-    void on(const ClipEvent& event) override;
-    void on(const CullEvent& event) override;
-    void on(const SetupEvent& event) override;
-    void on(const CoverageEvent& event) override;
+    void on(const DrawEvent& event);
+    void on(const AssembleEvent& event);
+    void on(const ClipEvent& event);
+    void on(const CullEvent& event);
+    void on(const SetupEvent& event);
+    void on(const CoverageEvent& event);
 
     /// A pixel that several triangles cover, near the middle of those.
     glm::ivec2 busy_pixel() const;
     /// A pixel near the middle of those that a triangle covers; or of its box; nothing when it was not set up.
     std::optional<glm::ivec2> pixel_of(std::int64_t triangle) const;
     /// The triangles that the page will show, by number in the model, and why.
-    std::map<std::int64_t, std::string> choose(const StepOptions& options, glm::ivec2 pixel, const Region& region) const;
+    std::map<std::int64_t, std::string> choose(int max_triangles, const std::optional<std::int64_t>& first,
+                                               glm::ivec2 pixel, const Region& region) const;
     /// How many triangles cover something of the region.
     std::int64_t count_in(const Region& region) const;
 

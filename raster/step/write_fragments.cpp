@@ -4,6 +4,15 @@
 namespace raster::step {
 namespace {
 
+void write(JsonText& json, const Terms<float>& terms) {
+    json.object([&] {
+        json.member("emission", terms.emission);
+        json.member("ambient", terms.ambient);
+        json.member("diffuse", terms.diffuse);
+        json.member("specular", terms.specular);
+    });
+}
+
 void write(JsonText& json, const LightRecord& l) {
     json.object([&] {
         json.member("light", l.light);
@@ -14,12 +23,15 @@ void write(JsonText& json, const LightRecord& l) {
         json.member("l_v", l.l_v);
         json.member("h", l.h);
         json.member("n_h", l.n_h);
+        json.member("r_v", l.r_v);
         json.member("diffuse", l.diffuse);
         json.member("specular", l.specular);
         json.member("lit_diffuse", l.lit_diffuse);
         json.member("lit_specular", l.lit_specular);
     });
 }
+
+}  // namespace
 
 void write(JsonText& json, const ShadingRecord& s) {
     json.object([&] {
@@ -38,13 +50,13 @@ void write(JsonText& json, const ShadingRecord& s) {
         json.member("emission", s.emission);
         json.member("ambient", s.ambient);
         json.member("alpha", s.alpha);
+        json.key("terms"), write(json, s.terms);
         json.member("agrees", s.agrees);
     });
 }
 
-}  // namespace
-
-void write_fragments(JsonText& json, const Record& record) {
+void write_fragments(JsonText& json, const Scene& scene, const Record& record) {
+    const Display& display = scene.step.display;
     json.array("fragments", [&] {
         for (const FragmentRecord& f : record.fragments) {
             json.object([&] {
@@ -58,6 +70,10 @@ void write_fragments(JsonText& json, const Record& record) {
                 json.member("stored", f.stored);
                 json.member("passed", f.passed);
                 if (f.passed) json.member("after", f.after);
+                if (f.passed && !display.is_plain())
+                    json.array("shown", [&] {
+                        for (int c = 0; c < 3; ++c) json.value(to_unorm8(shown_value(f.after[c], display)));
+                    });
                 if (!f.detailed) return;
                 json.member("detailed", true);
                 json.member("weights", f.weights);
@@ -67,6 +83,7 @@ void write_fragments(JsonText& json, const Record& record) {
                 json.member("affine", f.affine);
                 json.member("varyings", f.varyings);
                 json.member("outputs", f.outputs);
+                if (f.terms) json.key("terms"), write(json, *f.terms);
                 json.member("source", f.source);
                 json.array("bytes", [&] {
                     for (int c = 0; c < 4; ++c) json.value(to_unorm8(f.source[c]));

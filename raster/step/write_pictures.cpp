@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <raster/image/data_url.h>
+#include <raster/image/diff_picture.h>
 #include <raster/image/png.h>
 #include <raster/step/parts.h>
 
@@ -17,8 +18,8 @@ struct Rectangle {
 /// Of at most that size around the pixel, within the picture.
 Rectangle cut_around(const Record& r, int max_width, int max_height) {
     const int width = std::min(r.width, max_width), height = std::min(r.height, max_height);
-    return {std::clamp(r.pixel.x - width / 2, 0, r.width - width), std::clamp(r.pixel.y - height / 2, 0, r.height - height),
-            width, height};
+    return {std::clamp(r.pixel.x - width / 2, 0, r.width - width),
+            std::clamp(r.pixel.y - height / 2, 0, r.height - height), width, height};
 }
 
 /// An RGB picture whose samples are value(index of the pixel, channel), 0 to 255.
@@ -59,20 +60,36 @@ Status write_pictures(JsonText& json, const Scene& scene, const Record& record) 
         if (status) status = write_picture(json, name, image);
     };
     json.object("pictures", [&] {
-        json.array("rect", [&] { json.value(cut.x), json.value(cut.y), json.value(cut.width), json.value(cut.height); });
+        json.array("rect",
+                   [&] { json.value(cut.x), json.value(cut.y), json.value(cut.width), json.value(cut.height); });
         struct Frequency {
             ShadingFrequency frequency;
             const char* name;
         };
+        const Display& display = scene.step.display;
+        const auto draw = [&](ShadingFrequency frequency, Visibility visibility, const std::optional<Bug>& bug,
+                              int planes) {
+            RenderOptions options = scene.options;
+            options.frequency = frequency;
+            options.visibility = visibility;
+            options.background = light_for(options.background, display);
+            Target target(record.width, record.height,
+                          display.is_plain() ? ColorFormat::rgba8 : ColorFormat::rgba_float, DepthFormat::unorm24,
+                          planes);
+            bug ? render_bug(*bug, target, scene.model, scene.camera, options)
+                : render(target, scene.model, scene.camera, options);
+            return target;
+        };
+        const auto shown = [&](Target target) { return display.is_plain() ? target : displayed(target, display); };
+        const ShadingFrequency in_force = scene.options.frequency;
+        const Visibility visibility = scene.options.visibility;
+        const std::optional<Bug>& bug = scene.step.bug;
         for (const auto& [frequency, name] : {Frequency{ShadingFrequency::flat, "flat"},
                                               Frequency{ShadingFrequency::gouraud, "gouraud"},
                                               Frequency{ShadingFrequency::phong, "phong"}}) {
-            RenderOptions options = scene.options;
-            options.frequency = frequency;
-            Target target(record.width, record.height, ColorFormat::rgba8, DepthFormat::unorm24, shaded_plane::count);
-            render(target, scene.model, scene.camera, options);
-            add(name, colors_of(target, cut));
-            if (frequency != scene.options.frequency) continue;
+            add(name, colors_of(shown(draw(frequency, visibility, bug, 0)), cut));
+            if (frequency != in_force) continue;
+            const Target target = draw(frequency, visibility, bug, shaded_plane::count);
             struct Term {
                 int plane;
                 const char* name;
@@ -80,15 +97,22 @@ Status write_pictures(JsonText& json, const Scene& scene, const Record& record) 
             for (const Term& term : {Term{shaded_plane::ambient, "ambient"}, Term{shaded_plane::diffuse, "diffuse"},
                                      Term{shaded_plane::specular, "specular"}}) {
                 add(term.name, picture_of(target, cut, [&](std::size_t i, int c) {
-                        return to_unorm8(target.extra(term.plane + c)[i]);
+                        return to_unorm8(shown_value(target.extra(term.plane + c)[i], display));
                     }));
             }
         }
-        RenderOptions painted = scene.options;
-        painted.visibility = Visibility::painter;
-        Target target(record.width, record.height);
-        render(target, scene.model, scene.camera, painted);
-        add("painter", colors_of(target, cut));
+        add("painter", colors_of(shown(draw(in_force, Visibility::painter, bug, 0)), cut));
+        if (visibility == Visibility::painter)
+            add("zbuffer", colors_of(shown(draw(in_force, Visibility::zbuffer, bug, 0)), cut));
+        if (!bug) return;
+        const Image8 right = colors_of(shown(draw(in_force, visibility, {}, 0)), cut);
+        const Image8 wrong = colors_of(shown(draw(in_force, visibility, bug, 0)), cut);
+        add("right", right);
+        const AnyImage expected = right, actual = wrong;
+        if (const Result<Diff> diff = diff_images(expected, actual)) {
+            add("difference", difference_picture(expected, *diff));
+            json.member("differing", diff->figures ? diff->figures->differing : 0);
+        }
     });
     return status;
 }

@@ -2,16 +2,11 @@
 #include <raster/step/parts.h>
 
 #include <raster/stages/project.h>
+#include <raster/trace/event_json.h>
 
 namespace raster::step {
 namespace {
 
-constexpr const char* frequencies[] = {"flat", "gouraud", "phong"};
-constexpr const char* fill_rules[] = {"opengl", "direct3d"};
-constexpr const char* culls[] = {"none", "back", "front", "both"};
-constexpr const char* compares[] = {"never",   "less",      "equal",         "less_equal",
-                                    "greater", "not_equal", "greater_equal", "always"};
-constexpr const char* blends[] = {"off", "source_over", "additive"};
 constexpr const char* faces[] = {"counter_clockwise", "clockwise"};
 constexpr const char* light_kinds[] = {"ambient", "directional", "point", "spot"};
 
@@ -59,21 +54,45 @@ void write_draws(JsonText& json, const Record& record) {
         for (const DrawRecord& d : record.draws) {
             json.object([&] {
                 json.member("material", d.material);
-                json.member("frequency", frequencies[int(d.frequency)]);
+                json.member("frequency", word_for(d.frequency));
+                json.member("level", word_for(d.level));
                 json.member("reflectance", d.reflectance);
+                if (d.n_h_power) json.member("n_h_power", *d.n_h_power);
+                if (d.r_v_power) json.member("r_v_power", *d.r_v_power);
                 json.member("triangles", d.triangles);
                 json.member("vertices", d.vertices);
                 json.member("varyings", d.varyings);
                 json.member("clip_from_object", d.clip_from_object);
                 json.member("eye_from_object", d.eye_from_object);
-                json.member("cull", culls[int(d.state.cull)]);
+                json.member("cull", word_for(d.state.cull));
                 json.member("front_face", faces[int(d.state.front_face)]);
-                json.member("fill_rule", fill_rules[int(d.state.fill_rule)]);
-                json.member("depth_compare", compares[int(d.state.depth_compare)]);
+                json.member("fill_rule", word_for(d.state.fill_rule));
+                json.member("depth_compare", word_for(d.state.depth_compare));
                 json.member("depth_write", d.state.depth_write);
-                json.member("blend", blends[int(d.state.blend)]);
+                json.member("blend", word_for(d.state.blend));
             });
         }
+    });
+}
+
+void write_bug(JsonText& json, const Record& record) {
+    const BugInfo& info = info_of(*record.bug);
+    json.object("bug", [&] {
+        json.member("name", info.name);
+        json.member("mistake", info.mistake);
+        json.member("symptom", info.symptom);
+        if (!record.first_difference) return;
+        const FirstDifference& first = *record.first_difference;
+        json.object("first", [&] {
+            json.member("event", first.event);
+            json.member("stage", first.place.stage);
+            if (first.place.triangle) json.member("triangle", *first.place.triangle + 1);
+            if (first.place.pixel) json.member("pixel", *first.place.pixel);
+            for (const auto& [name, line] : {std::pair("right", &first.right), {"wrong", &first.wrong}}) {
+                json.key(name);
+                line->empty() ? json.null() : json.raw(*line);
+            }
+        });
     });
 }
 
@@ -90,11 +109,16 @@ void write_scene(JsonText& json, const Scene& scene, const Record& record) {
     });
     json.member("command", scene.step.command);
     json.object("options", [&] {
-        json.member("frequency", frequencies[int(o.frequency)]);
+        json.member("frequency", word_for(o.frequency));
         json.member("visibility", o.visibility == Visibility::zbuffer ? "zbuffer" : "painter");
         json.member("two_sided", o.two_sided);
         json.member("background", o.background);
     });
+    json.object("display", [&] {
+        json.member("srgb", scene.step.display.srgb);
+        json.member("exposure", scene.step.display.exposure);
+    });
+    if (record.bug) write_bug(json, record);
     json.object("focus", [&] {
         json.member("pixel", record.pixel);
         json.member("triangle", record.focus + 1);

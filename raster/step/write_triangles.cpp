@@ -1,16 +1,9 @@
 // write_triangles.cpp: stages 1 to 7 as JSON.
 #include <raster/step/parts.h>
+#include <raster/trace/event_json.h>
 
 namespace raster::step {
 namespace {
-
-constexpr const char* clip_verdicts[] = {"inside", "not_finite", "outside", "clipped"};
-constexpr const char* cull_verdicts[] = {"kept", "culled", "zero_area"};
-std::string name_of(ClipPlane plane) {
-    constexpr const char* names[] = {"right", "left", "top", "bottom", "near", "far"};
-    const int i = int(plane);
-    return i < clip_plane_count ? names[i] : "user-" + std::to_string(i - clip_plane_count);
-}
 
 void write(JsonText& json, const Plane<float>& p) {
     json.array([&] { json.value(p.origin), json.value(p.dadx), json.value(p.dady); });
@@ -86,6 +79,7 @@ void write(JsonText& json, const PieceRecord& p) {
     json.object([&] {
         json.member("clip", p.clip);
         json.member("ndc", p.ndc);
+        if (!p.varyings[0].empty()) json.member("varyings", p.varyings);
         json.array("window", [&] {
             for (const WindowVertex<float>& v : p.window)
                 json.array([&] { json.value(v.x), json.value(v.y), json.value(v.z), json.value(v.oow); });
@@ -95,7 +89,7 @@ void write(JsonText& json, const PieceRecord& p) {
         });
         json.member("area", p.area);
         json.member("front_facing", p.front_facing);
-        json.member("verdict", cull_verdicts[int(p.verdict)]);
+        json.member("verdict", word_for(p.verdict));
         if (p.setup) json.key("setup"), write(json, *p.setup);
     });
 }
@@ -121,16 +115,17 @@ void write_triangles(JsonText& json, const Record& record) {
                             json.member("eye", v.eye);
                             json.member("clip", v.clip);
                             json.member("varyings", v.varyings);
+                            if (v.shading) json.key("shading"), write(json, *v.shading);
                         });
                     }
                 });
                 if (!t.clip) return;
                 json.member("outcodes", t.outcodes);
-                json.member("clip", clip_verdicts[int(*t.clip)]);
+                json.member("clip", word_for(*t.clip));
                 json.array("planes", [&] {
                     for (const PlaneRecord& p : t.planes) {
                         json.object([&] {
-                            json.member("plane", name_of(p.plane));
+                            json.member("plane", word_for(p.plane));
                             json.key("before"), write(json, p.before);
                             json.key("after"), write(json, p.after);
                         });

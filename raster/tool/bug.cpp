@@ -63,18 +63,19 @@ std::string describe(const std::optional<FirstDifference>& first) {
 
 }  // namespace
 
+Result<std::optional<Bug>> parse_bug(std::string_view text) {
+    if (const auto found = find_bug(text)) return found;
+    std::string known;
+    std::vector<std::string> names;
+    for (const BugInfo& info : bugs) {
+        names.emplace_back(info.name);
+        known += (known.empty() ? "" : ", ") + std::string(info.name);
+    }
+    return Error{ErrorKind::usage, in_quotes(text) + " is none of " + known + did_you_mean(text, names)};
+}
+
 void add_bug_flag(CLI::App& app, std::optional<Bug>& bug) {
-    const auto parse = [](std::string_view text) -> Result<std::optional<Bug>> {
-        if (const auto found = find_bug(text)) return found;
-        std::string known;
-        std::vector<std::string> names;
-        for (const BugInfo& info : bugs) {
-            names.emplace_back(info.name);
-            known += (known.empty() ? "" : ", ") + std::string(info.name);
-        }
-        return Error{ErrorKind::usage, in_quotes(text) + " is none of " + known + did_you_mean(text, names)};
-    };
-    add_value(app, "--bug", "NAME", bug, parse, help())->group("Learning");
+    add_value(app, "--bug", "NAME", bug, parse_bug, help())->group("Learning");
 }
 
 DrawCounts render_with_bug(Bug bug, Target& target, const Model& model, const View& view,

@@ -12,6 +12,8 @@
 
 namespace raster::tool {
 
+Result<std::optional<Bug>> parse_bug(std::string_view text);
+
 void add_bug_flag(CLI::App& app, std::optional<Bug>& bug);
 
 /// Draws the picture with the bug.

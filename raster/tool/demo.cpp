@@ -44,6 +44,7 @@ Result<int> run_demo(DemoArguments& a) {
     StepOptions step;
     step.name = model_path;
     step.command = "raster step teapot.obj";
+    step.display = job.display;
     Result<std::size_t> page = std::size_t(0);
     with_threads(a.threads, [&] { page = write_step_page(page_path, model, *plan, job.options, step); });
     if (!page) return page.error();

@@ -78,12 +78,17 @@ Result<int> run_trace(TraceArguments& a) {
     if (const Status status = check_triangles(a, loaded->model); !status) return status.error();
     if (const Status status = check_no_input({a.output}, texture_paths(a.load.model, loaded->model)); !status)
         return status.error();
-    const RenderOptions options = a.picture.options_for(loaded->model);
+    RenderOptions options = a.picture.options_for(loaded->model);
     const Result<View> view = plan->view_of(loaded->model);
     if (!view) return view.error();
 
-    Target target(view->size.width, view->size.height);
-    const TraceSource source{"raster " RASTER_VERSION, std::filesystem::path(a.load.model).filename().string()};
+    // As `raster render` draws it: light that will be encoded for a screen is kept as floats.
+    const Display display = a.picture.display_for(loaded->model, options);
+    options.background = light_for(options.background, display);
+    Target target(view->size.width, view->size.height,
+                  display.is_plain() ? ColorFormat::rgba8 : ColorFormat::rgba_float);
+    const TraceSource source{"raster " RASTER_VERSION, std::filesystem::path(a.load.model).filename().string(),
+                             display};
     const Result<std::string> trace = trace_picture(target, loaded->model, view->matrices, options, a.filter, source);
     if (!trace) return trace.error();
     if (const Status status = write_file(a.output, std::as_bytes(std::span(*trace))); !status) return status.error();

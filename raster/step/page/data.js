@@ -66,9 +66,30 @@ const operand = value => (value < 0 ? `(${num(value)})` : num(value));
 const list = values => values.map(num).join(", ");
 const tuple = values => `(${list(values)})`;
 
+/** What becomes of the stored light on the screen. */
+const is_plain = !data.display.srgb && data.display.exposure === 0;
+function on_screen(light) {
+    const value = light * 2 ** data.display.exposure;
+    return !data.display.srgb ? value : value <= 0.0031308 ? value * 12.92 : 1.055 * value ** (1 / 2.4) - 0.055;
+}
+const display_words = `the screen gets light${data.display.exposure ? ` · 2^${data.display.exposure}` : ""}${data.display.srgb ? ", encoded by the transfer function of sRGB" : ""}`;
+
 const byte = value => Math.round(Math.min(Math.max(value, 0), 1) * 255);
-const hex = color => "#" + color.slice(0, 3).map(c => byte(c).toString(16).padStart(2, "0")).join("");
-const swatch = color => `<span class="swatch" style="background:${hex(color)}"></span><code>${hex(color)}</code>`;
+const hex_of_bytes = bytes => "#" + bytes.slice(0, 3).map(b => b.toString(16).padStart(2, "0")).join("");
+const hex = color => hex_of_bytes(color.slice(0, 3).map(c => byte(is_plain ? c : on_screen(c))));
+const patch = color => `<span class="swatch" style="background:${color}"></span>`;
+/** A colour as the screen shows it; its bytes too where they are the renderer's own. */
+const swatch = color => patch(hex(color)) + (is_plain ? `<code>${hex(color)}</code>` : "");
+/** What a fragment left behind. */
+const after_hex = f => (f.shown ? hex_of_bytes(f.shown) : hex(f.after));
+const after_swatch = f => patch(after_hex(f)) + `<code>${after_hex(f)}</code>`;
+/** The summands of a fragment's colour, or null where the shader had their sum alone. */
+function terms_of(f) {
+    if (f.terms) return f.terms;
+    if (!f.outputs || f.outputs.length < 20) return null;
+    const from = first => f.outputs.slice(first, first + 3);
+    return { emission: from(17), ambient: from(8), diffuse: from(11), specular: from(14) };
+}
 const mark = good => (good ? '<span class="good">+ ' : '<span class="bad">− ');
 const yes = text => `${mark(true)}${text}</span>`;
 const no = text => `${mark(false)}${text}</span>`;

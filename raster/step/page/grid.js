@@ -1,9 +1,13 @@
 // grid.js: the pixel pane: the picture, the sample points with the signs of the edge functions, the triangle on top.
 
+const other_order = () => (data.options.visibility === "painter" ? "zbuffer" : "painter");
 const grid_canvas = document.getElementById("grid");
 const grid = { scale: 24, x: data.focus.pixel[0] + 0.5, y: data.focus.pixel[1] + 0.5, layer: "picture", chosen: false };
 const layers = [["picture", "colours of the picture"], ["inside", "signs of all edges"], ["e0", "edge 0"], ["e1", "edge 1"],
-    ["e2", "edge 2"], ["owner", "which triangle is seen"], ["count", "how many triangles cover"]];
+    ["e2", "edge 2"], ["weights", "barycentrics of this triangle"], ["depth", "depth that is stored"], ["owner", "which triangle is seen"],
+    ["count", "how many triangles cover"], [other_order(), `picture by ${other_order() === "painter" ? "painter's order" : "z-buffer"}`],
+    ["orders", "where z-buffer and painter part"],
+    ...(data.bug ? [["right", "the right picture"], ["wrong", "where the bug shows"]] : [])];
 
 const images = new Map();
 function image_of(name) {
@@ -19,17 +23,35 @@ function image_of(name) {
 const readers = new Map();
 function picture_bytes(name, x, y) {
     const [x0, y0, width, height] = data.pictures.rect;
+    const reader = reader_of(name);
+    if (!reader || x < x0 || y < y0 || x >= x0 + width || y >= y0 + height) return null;
+    return [...reader.getImageData(x - x0, y - y0, 1, 1).data.slice(0, 3)];
+}
+/** A canvas with one of the pictures on it, or null while that is being decoded. */
+function reader_of(name) {
     const image = image_of(name);
-    if (!image.complete || !image.naturalWidth || x < x0 || y < y0 || x >= x0 + width || y >= y0 + height) return null;
+    if (!image.complete || !image.naturalWidth) return null;
     if (!readers.has(name)) {
         const canvas = document.createElement("canvas");
-        canvas.width = width;
-        canvas.height = height;
+        [, , canvas.width, canvas.height] = data.pictures.rect;
         const context = canvas.getContext("2d", { willReadFrequently: true });
         context.drawImage(image, 0, 0);
         readers.set(name, context);
     }
-    return [...readers.get(name).getImageData(x - x0, y - y0, 1, 1).data.slice(0, 3)];
+    return readers.get(name);
+}
+/** Which pixels of two pictures differ: a byte each, and how many; or null while they are being decoded. */
+const apart_cache = new Map();
+function pictures_apart(one, two) {
+    const key = one + " " + two, a = reader_of(one), b = reader_of(two);
+    if (!a || !b) return null;
+    if (!apart_cache.has(key)) {
+        const [, , width, height] = data.pictures.rect;
+        const p = new Uint32Array(a.getImageData(0, 0, width, height).data.buffer), q = new Uint32Array(b.getImageData(0, 0, width, height).data.buffer);
+        const differ = p.map((value, i) => Number(value !== q[i]));
+        apart_cache.set(key, { differ, count: differ.reduce((sum, d) => sum + d, 0), pixels: p.length });
+    }
+    return apart_cache.get(key);
 }
 const picture_name = () => (data.options.visibility === "painter" ? "painter" : data.options.frequency);
 
@@ -48,15 +70,16 @@ function draw_grid() {
 
     const [px0, py0, pw, ph] = data.pictures.rect;
     c.imageSmoothingEnabled = s < 1;
-    const image = image_of(picture_name());
-    if (image.complete && image.naturalWidth) c.drawImage(image, ...at(px0, py0), pw * s, ph * s);
-
     const t = current_triangle(), item = current_item(), piece = current_piece();
     const layer = grid_layer();
+    const image = image_of(data.pictures[layer] ? layer : picture_name());
+    if (image.complete && image.naturalWidth) c.drawImage(image, ...at(px0, py0), pw * s, ph * s);
+    if (layer === "orders") mark_apart(c, at, s, pictures_apart(picture_name(), other_order()));
+    if (layer === "wrong") mark_apart(c, at, s, pictures_apart(picture_name(), "right"));
     const view = { x0: Math.max(region.x0, Math.floor(-left / s)), x1: Math.min(region.x1, Math.ceil((width - left) / s)),
         y0: Math.max(region.y0, Math.floor(-top / s)), y1: Math.min(region.y1, Math.ceil((height - top) / s)) };
     for (let y = view.y0; y <= view.y1; ++y)
-        for (let x = view.x0; x <= view.x1; ++x) draw_pixel(c, at(x, y), s, x, y, layer, piece);
+        for (let x = view.x0; x <= view.x1; ++x) draw_pixel(c, at(x, y), s, x, y, layer, piece, t);
 
     if (s >= 6) {
         c.strokeStyle = css("grid-line");
@@ -119,9 +142,11 @@ function draw_grid() {
 
 /** The layer that is shown: the reader's choice, or what the stage is about. */
 function grid_layer() {
+    if (state.predict && !state.answered) return "picture";
     if (grid.chosen) return grid.layer;
     const stage = stages[state.s];
-    if (stage === "coverage") return state.predict && !state.answered ? "picture" : "inside";
+    if (stage === "coverage") return "inside";
+    if (stage === "interpolate") return "weights";
     return stage === "setup" ? "inside" : stage === "depth" ? "owner" : "picture";
 }
 
@@ -140,13 +165,50 @@ function text_at(c, text, x, y, color, size, halo = true) {
     c.textBaseline = "alphabetic";
 }
 
-function draw_pixel(c, [x0, y0], s, x, y, layer, piece) {
+/** Pixels that differ, in orange with a sign. */
+function mark_apart(c, at, s, apart) {
+    if (!apart) return;
+    const [x0, y0, width] = data.pictures.rect;
+    apart.differ.forEach((differs, i) => {
+        if (!differs) return;
+        const [x, y] = at(x0 + i % width, y0 + Math.floor(i / width));
+        if (x < -s || y < -s || x > grid_canvas.clientWidth || y > grid_canvas.clientHeight) return;
+        c.fillStyle = `rgb(${css("bad-rgb")})`;
+        c.fillRect(x, y, Math.max(s, 1), Math.max(s, 1));
+        if (s >= 10) text_at(c, "≠", x + s / 2, y + s / 2, css("pane"), Math.min(s * 0.6, 16), false);
+    });
+}
+
+const corner_colors = [[30, 110, 230], [235, 110, 10], [150, 70, 220]];
+/** The weights of the corners v0, v1, v2 at a pixel, mixed as colours and as numbers. */
+function draw_weights(c, [x0, y0], s, f, piece) {
+    if (!f || !f.detailed) return;
+    const weights = [0, 0, 0];
+    piece.setup.order.forEach((k, i) => { weights[k] = f.weights[i]; });
+    c.fillStyle = `rgb(${[0, 1, 2].map(i => Math.round(weights.reduce((sum, w, k) => sum + Math.min(Math.max(w, 0), 1) * corner_colors[k][i], 0))).join(",")})`;
+    c.fillRect(x0, y0, s, s);
+    if (s >= 38) weights.forEach((w, k) => text_at(c, w.toFixed(2), x0 + s / 2, y0 + s * (0.22 + 0.28 * k), "#fff", Math.min(s * 0.24, 12), false));
+}
+/** The stored depth, light near and dark far over the grid's own range. */
+const depth_range = (() => {
+    const depths = data.fragments.filter(f => f.passed).map(f => f.z);
+    return depths.length ? [Math.min(...depths), Math.max(...depths)] : [0, 1];
+})();
+function draw_depth(c, [x0, y0], s, f) {
+    const grey = f ? Math.round(230 - 190 * (f.z - depth_range[0]) / ((depth_range[1] - depth_range[0]) || 1)) : 0;
+    c.fillStyle = `rgb(${grey},${grey},${grey})`;
+    c.fillRect(x0, y0, s, s);
+    if (s >= 34) text_at(c, f ? f.z.toFixed(3) : "1", x0 + s / 2, y0 + s / 2, grey > 128 ? "#000" : "#fff", Math.min(s * 0.26, 12), false);
+}
+
+function draw_pixel(c, [x0, y0], s, x, y, layer, piece, t) {
     const middle = [x0 + s / 2, y0 + s / 2];
     const edges = piece && edges_at(piece, x, y);
     const cover = color => { c.fillStyle = color; c.fillRect(x0, y0, s, s); };
+    const fragments = fragments_at(x, y), winner = [...fragments].reverse().find(f => f.passed);
+    if (layer === "weights" && piece && piece.setup) return draw_weights(c, [x0, y0], s, fragment_of(t, t.pieces.indexOf(piece), x, y), piece);
+    if (layer === "depth") return draw_depth(c, [x0, y0], s, winner);
     if (layer === "owner" || layer === "count") {
-        const fragments = fragments_at(x, y);
-        const winner = [...fragments].reverse().find(f => f.passed);
         cover(css("pane"));
         if (layer === "count") {
             cover(`rgba(${css("good-rgb")},${Math.min(fragments.length * 0.18, 0.9)})`);
@@ -157,7 +219,7 @@ function draw_pixel(c, [x0, y0], s, x, y, layer, piece) {
         }
         return;
     }
-    if (layer !== "picture" && edges) {
+    if (/^(inside|e\d)$/.test(layer) && edges) {
         cover(css("pane"));
         const k = layer === "inside" ? -1 : Number(layer[1]);
         if (k >= 0) {

@@ -91,6 +91,7 @@ function set_up() {
     on("digits", toggle_digits);
     on("help", () => dialog.showModal());
     on("close-help", () => dialog.close());
+    document.getElementById("open-worksheet").hidden = Boolean(data.bug);
     on("open-worksheet", () => open_worksheet(data.questions || 10));
     on("theme", () => {
         theme = { system: "light", light: "dark", dark: "system" }[theme];
@@ -116,7 +117,7 @@ function set_up() {
 
     const focus = triangle_index.get(data.focus.triangle);
     if (focus !== undefined) state.t = focus;
-    state.s = Math.max(stages.indexOf(data.focus.stage), 0);
+    state.s = Math.max(stages.indexOf(data.focus.stage || (data.bug && data.bug.first ? stage_of_event(data.bug.first.stage) : "")), 0);
     keep_place({});
     show_theme();
     show_pixel();

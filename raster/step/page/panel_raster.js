@@ -59,8 +59,8 @@ const compare_sign = { never: "never", less: "<", equal: "=", less_equal: "≤",
 function history_table(x, y, current) {
     const fragments = fragments_at(x, y);
     const rows = fragments.map(f => ({ current: f.triangle === current, cells: [link_to_triangle(f.triangle), num(f.z),
-        `${secret(f.passed ? yes("passed") : no("failed"))}<small>${num(f.incoming)} ${compare_sign[data.draws[f.draw].depth_compare]} ${num(f.stored)}</small>`,
-        f.passed ? secret(swatch(f.after)) : unreached("it failed the depth test")] }));
+        `${secret(f.passed ? yes("passed") : no("failed"))} <small>${num(f.incoming)} ${compare_sign[data.draws[f.draw].depth_compare]} ${num(f.stored)}</small>`,
+        f.passed ? secret(after_swatch(f)) : unreached("it failed the depth test")] }));
     const others = data.triangles.filter(t => !fragments.some(f => f.triangle === t.number)).flatMap(t => near_miss(t, x, y));
     return table(`Every fragment of pixel ${x},${y}, in submission order`, ["triangle", "z", "depth test", "colour after"], rows) +
         (others.length ? table("Looked at, and not here", ["triangle", "why"], others) : "");
@@ -92,12 +92,18 @@ function panel_depth(t, item) {
         : '<p class="soft">The painter\'s order at this pixel was left out of the page.</p>';
     const agree = painter_last && passed_last && (painter_last[2] === passed_last.triangle
         ? yes("both show triangle " + painter_last[2]) : no(`they part: z-buffer shows ${passed_last.triangle}, painter ${painter_last[2]}`));
+    const other = data.options.visibility === "painter" ? "zbuffer" : "painter";
+    const apart = pictures_apart(picture_name(), other);
+    const both = [[picture_name(), data.options.visibility], [other, other]].sort((a, b) => (a[1] === "zbuffer" ? -1 : b[1] === "zbuffer"));
+    const side_by_side = `<h3>Both pictures, around this pixel</h3><div class="pictures">${both.map(([name, words]) =>
+        crop_picture(name, words === "zbuffer" ? "z-buffer" : "painter's order", x, y, 121)).join("")}</div>
+      <p>${apart ? `${num(apart.count)} of ${num(apart.pixels)} pixels differ between the two. ${apart.count ? "The pixel pane can show where: “where z-buffer and painter part”." : ""}` : ""}</p>`;
     return `<h3>Pixel ${x},${y}: ${secret(f.passed ? yes("passes") : no("fails"))}</h3>
       ${formula(`z = dady · py + (dadx · px + origin) = ${operand(d[2])} · ${y} + (${operand(d[1])} · ${x} + ${operand(d[0])}) = <b>${num(f.z)}</b>`)}
       ${formula(`as 24 bits: round(${num(f.z)} · 16 777 215) = <b>${num(f.incoming)}</b>`)}
       ${formula(`${num(f.incoming)} ${compare_sign[draw.depth_compare]} ${num(f.stored)}${f.stored === 16777215 ? " (cleared)" : ""}: ${secret(f.passed ? yes("passes; stored now") : no("fails; nothing is stored, nothing shaded"))}`)}
       <div class="side-by-side"><section><h3>Z-buffer</h3>${history_table(x, y, t.number)}</section>
-      <section><h3>Painter's order</h3>${painter}<p>${agree ? secret(agree) : ""}</p></section></div>`;
+      <section><h3>Painter's order</h3>${painter}<p>${agree ? secret(agree) : ""}</p></section></div>${side_by_side}`;
 }
 
 function panel_interpolate(t, item) {

@@ -33,7 +33,7 @@ function draw_panel() {
     }
     document.getElementById("h-numbers").innerHTML = `<span class="stage-number">${state.s + 1}</span> ${stage}`;
     document.getElementById("numbers").innerHTML =
-        `<p class="lead">${words} <span class="soft">Source: <code>raster/${file}</code>. ${state.predict ? "" : `Triangle ${t.number} ${escape_html(t.why)}.`}</span></p>${body}`;
+        bug_banner() + `<p class="lead">${words} <span class="soft">Source: <code>raster/${file}</code>. ${state.predict ? "" : `Triangle ${t.number} ${escape_html(t.why)}.`}</span></p>${body}`;
     // What has to be scrolled must be reachable by keyboard.
     for (const box of document.querySelectorAll("#numbers .scroll, #numbers .spaces, #numbers .matrices"))
         if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;

@@ -6,6 +6,7 @@ const in_out = v => v.map((d, k) => `e${k} = ${short_text(d)}`).join(", ");
 
 /** The question of a step, or null where there is nothing to ask. */
 function question_of(t, s, item) {
+    if (data.bug) return bug_question();
     if (not_reached(t, s, item)) return null;
     const piece = (t.pieces || [])[item.piece || 0];
     switch (stages[s]) {
@@ -63,7 +64,13 @@ function question_of(t, s, item) {
         case "fragment": {
             const f = fragment_of(t, item.piece || 0, item.x, item.y);
             if (!f.detailed) return null;
-            const sums = [["ambient", 8], ["diffuse", 11], ["specular", 14]].map(([name, k]) => [name, f.outputs[k] + f.outputs[k + 1] + f.outputs[k + 2]]);
+            const terms = terms_of(f);
+            if (!terms) {
+                const corners = piece.setup.order.map((k, i) => ["v" + k, f.weights[i]]).sort((a, b) => b[1] - a[1]);
+                return choice(`Gouraud shading mixes the colours of the corners. Which corner gives most at pixel ${item.x},${item.y}?`, ["v0", "v1", "v2"], corners[0][0],
+                    corners.map(([name, weight]) => `${name} ${short_text(weight)}`).join(", ") + ": the weights there.");
+            }
+            const sums = ["ambient", "diffuse", "specular"].map(name => [name, terms[name][0] + terms[name][1] + terms[name][2]]);
             sums.sort((a, b) => b[1] - a[1]);
             if (sums[0][1] === sums[1][1]) return null;
             return choice(`Which term is the largest part of the colour at pixel ${item.x},${item.y}?`, ["ambient", "diffuse", "specular"], sums[0][0],
@@ -71,7 +78,7 @@ function question_of(t, s, item) {
         }
         case "blend": {
             const f = fragment_of(t, item.piece || 0, item.x, item.y);
-            if (!f.detailed) return null;
+            if (!f.detailed || !is_plain) return null;
             return number(`The shader gives red = ${short_text(f.source[0])}, the target holds ${byte(f.before[0])}, and blending is ${data.draws[t.draw].blend.replace("_", " ")}. Which red byte is stored at pixel ${item.x},${item.y}?`,
                 byte(f.after[0]), `${short_text(f.source[0])} · 255 rounded is ${f.bytes[0]}; ${blend_words[data.draws[t.draw].blend]}.`);
         }
