@@ -42,6 +42,32 @@ test_its_colour_is_the_pictures_with_the_same_flags() {
     done
 }
 
+test_light_for_an_srgb_screen_is_shown_as_the_picture_has_it() {
+    has_python || return 0
+    cp "$SOURCE/tests/fuzz/corpus/obj/star.obj" m.obj
+    run render m.obj --size 40x30 -o m.ppm --material gold --exposure 0.5
+    for place in '20 15' '12 9' '0 29'; do
+        # shellcheck disable=SC2086
+        expect 0 '' pixel m.obj $place --size 40x30 --json --material gold --exposure 0.5
+        color=$(json 'bytes(round(255*c) for c in d["shown"][:3]).hex()')
+        # shellcheck disable=SC2086
+        set -- $place
+        drawn=$(tail -c +$((1 + $(stat -c %s m.ppm) - 3 * 40 * 30 + 3 * ($2 * 40 + $1))) m.ppm | head -c 3 | od -An -tx1 | tr -d ' ')
+        [ "$color" = "$drawn" ] || failed "pixel $place: history says $color, the picture has $drawn"
+    done
+}
+
+test_gouraud_shading_tells_the_corners_light() {
+    has_python || return 0
+    make_triangle
+    expect 0 '' pixel t.obj 300 400 --shade gouraud
+    expect_out '^           v2 +[0-9.]+ x light, diffuse \([0-9., ]+\) specular \('
+    expect 0 '' pixel t.obj 300 400 --shade gouraud --json
+    [ "$(json 'abs(sum(c["weight"] for c in d["entries"][0]["corner_light"]) - 1) < 1e-4')" = True ] || failed 'the weights are not 1'
+    expect 0 '' pixel t.obj 300 400 --json
+    [ "$(json 'd["entries"][0]["corner_light"]')" = None ] || failed 'Phong shading has no light at the corners'
+}
+
 test_json_has_every_stage() {
     has_python || return 0
     make_triangle

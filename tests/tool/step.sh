@@ -48,6 +48,26 @@ test_the_pixel_the_triangle_and_the_stage_are_kept() {
     data_of t.step.html | grep -q '"focus":{"pixel":\[29,21\],"triangle":1,"stage":"depth"}' || failed 'the focus is another'
 }
 
+test_a_page_of_a_bug_has_both_pictures_and_the_first_difference() {
+    cp "$SOURCE/tests/fuzz/corpus/obj/cube.obj" m.obj
+    local bug
+    for bug in no-top-left affine no-near-clip z-flipped wrong-cull no-renormalise whole-pixels; do
+        expect 0 '' step m.obj --size 60x40 --bug "$bug" -o wrong.html
+        data_of wrong.html | grep -q "\"bug\":{\"name\":\"$bug\"" || failed "$bug: the page does not name it"
+        data_of wrong.html | grep -q '"right":"data:image/png' || failed "$bug: no right picture"
+        data_of wrong.html | grep -q '"difference":"data:image/png' || failed "$bug: no difference"
+        data_of wrong.html | grep -qF "\"command\":\"raster step m.obj --bug $bug --size 60x40\"" || failed "$bug: another command"
+        # The same first difference as `render --bug` tells.
+        run render m.obj --size 60x40 --bug "$bug" -o wrong.png
+        local place
+        place=$(sed -n 's/^first difference: \([a-z_]*\) of triangle \([0-9]*\).*/"stage":"\1","triangle":\2/p' "$stderr")
+        [ -z "$place" ] || data_of wrong.html | grep -qF "$place" || failed "$bug: the page does not open at $place"
+    done
+    expect 2 "'afine' is none of .*; did you mean affine" step m.obj --bug afine
+    expect 2 'exclude --bug' step m.obj --bug affine --quiz 3
+    expect 2 'exclude --bug' step m.obj --bug affine --apng a.png
+}
+
 test_what_is_not_there_is_said() {
     make_triangle
     expect 2 'pixel 60,0 lies outside the picture of 60x40' step t.obj --size 60x40 --pixel 60,0
@@ -94,8 +114,11 @@ test_the_page_in_a_browser() {
     expect 0 '' demo
     expect 0 '' step teapot.obj --camera-position 2,3,4 --camera-focal-point 0,1.5,0 --near 3 --far 100 -o clipped.html
     expect 0 '' step teapot.obj --size 400x300 --quiz 6 -o worksheet.html
-    (cd "$modules" && node "$SOURCE/tests/tool/step_page.mjs" "$OLDPWD/teapot.step.html" "$OLDPWD/clipped.html" \
-        "$OLDPWD/worksheet.html") >browser.log 2>&1 || failed "$(cat browser.log)"
+    expect 0 '' step teapot.obj --size 400x300 --bug affine -o bug.html
+    expect 0 '' step teapot.obj --size 400x300 --shade gouraud -o gouraud.html
+    expect 0 '' step teapot.obj --size 400x300 --material gold --exposure 0.5 -o gold.html
+    (cd "$modules" && node "$SOURCE/tests/tool/step_page.mjs" "$OLDPWD"/{teapot.step,clipped,worksheet,bug,gouraud,gold}.html) \
+        >browser.log 2>&1 || failed "$(cat browser.log)"
 }
 
 run_tests "$@"

@@ -1,4 +1,4 @@
-// step_page.mjs PAGE CLIPPED WORKSHEET: drives stepper pages in headless Chromium. playwright-core and axe-core are found
+// step_page.mjs PAGE CLIPPED WORKSHEET BUG GOURAUD GOLD: drives stepper pages in headless Chromium. playwright-core and axe-core are found
 // from the current folder. Prints what fails and ends with 1, or says how many checks passed.
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -7,7 +7,7 @@ import path from "node:path";
 const require = createRequire(path.join(process.cwd(), "x.js"));
 const { chromium } = require("playwright-core");
 const axe_source = require("axe-core").source;
-const [teapot, clipped, worksheet] = process.argv.slice(2).map(name => pathToFileURL(path.resolve(name)).href);
+const [teapot, clipped, worksheet, bug, gouraud, gold] = process.argv.slice(2).map(name => pathToFileURL(path.resolve(name)).href);
 
 let checks = 0, failures = 0;
 function check(ok, what) {
@@ -126,7 +126,47 @@ await page.click(".key a >> nth=0");
 await page.waitForSelector("#stepper:not([hidden])");
 check(await page.locator("#numbers").isVisible(), "an answer leads to its step");
 
+// A bug: it is named, opens where the runs part, with both numbers, and can be sought in predict mode.
+page = await open(bug);
+const wrong = await data_of(page);
+check((await place(page)).includes(`triangle=${wrong.bug.first.triangle}&stage=${wrong.bug.first.stage}`), "the page opens at the first wrong step");
+check((await numbers(page)).includes("Bug affine") && (await numbers(page)).includes("oow"), "the bug is named, with the number that is wrong");
+check(await page.locator(".bug-box img").count() === 3, "right, wrong and difference");
+check(wrong.pictures.differing > 0, "pixels differ");
+await page.keyboard.press("ArrowRight");
+await page.click(".bug-box a");
+check((await place(page)).includes("stage=" + wrong.bug.first.stage), "the link leads back to the first wrong step");
+await page.keyboard.press("p");
+check(!(await numbers(page)).includes("affine"), "predict hides the bug");
+await page.click("#question button[value=cull]");
+check(await page.locator(".verdict.wrong").count() === 1 && (await page.locator(".verdict").innerText()).includes("affine"), "and tells it after the answer");
+for (const layer of ["wrong", "right", "orders", "painter", "weights", "depth"]) await page.selectOption("#layer", layer);
+
+// Gouraud shading: the corners' light.
+page = await open(gouraud + "#stage=fragment");
+check(/Gouraud: lit at the corners/.test(await numbers(page)) && /Corner v2: its light/.test(await numbers(page)), "the corners' light is told");
+check(await page.locator("#numbers .bad", { hasText: "differ from the shader" }).count() === 0, "with the shader's bits");
+
+// Light for an sRGB screen: the byte that the page tells is the picture's.
+page = await open(gold + "#stage=blend");
+const shiny = await data_of(page), here = (await place(page)).match(/pixel=(\d+),(\d+)/).slice(1).map(Number);
+const seen = shiny.fragments.filter(f => f.passed && f.x === here[0] && f.y === here[1]).at(-1);
+await page.waitForFunction(() => document.getElementById("grid-text").innerText.includes("#"));
+const shown = "#" + seen.shown.map(b => b.toString(16).padStart(2, "0")).join("");
+check((await page.locator("#grid-text").innerText()).includes(shown), "the picture has the byte that blend tells");
+check((await numbers(page)).includes(shown), "and so has the numbers pane");
+
 // Accessibility, light and dark, wide and narrow.
+for (const [url, width] of [[bug, 1400], [bug, 420], [gouraud + "#stage=fragment", 1400], [gold + "#stage=blend", 1400]])
+    for (const colorScheme of ["light", "dark"]) {
+        page = await open(url, { colorScheme, viewport: { width, height: 900 }, bypassCSP: true });
+        await page.evaluate(axe_source);
+        const found = await page.evaluate(() => axe.run());
+        for (const v of found.violations)
+            check(false, `axe ${url.split("/").at(-1)} ${colorScheme}: ${v.id}: ${v.nodes.slice(0, 2).map(n => n.html.slice(0, 120)).join(" | ")}`);
+        check(found.violations.length === 0, `axe: ${url.split("/").at(-1)}, ${colorScheme}, ${width}`);
+        await page.close();
+    }
 for (const colorScheme of ["light", "dark"])
     for (const width of [1400, 420])
         for (const stage of width === 420 ? ["vertex", "depth"] : ["vertex", "clip", "coverage", "depth", "fragment"]) {

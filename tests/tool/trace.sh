@@ -50,6 +50,19 @@ test_the_same_trace_every_time_and_the_hash_tells_scenes_apart() {
     [ "$(hash a.jsonl)" != "$(hash c.jsonl)" ] || failed 'another scene has the same hash'
 }
 
+test_a_trace_for_an_srgb_screen_ends_in_the_history_s_light() {
+    command -v python3 >/dev/null || return 0
+    make_triangle
+    expect 0 '' trace t.obj --size 12x10 --material gold --exposure 1 --pixel 5,6 -o t.jsonl
+    head -1 t.jsonl | grep -q '"color_format":"rgba_float".*"display":{"srgb":true,"exposure":1}' || failed 'the header does not tell the display'
+    run pixel t.obj 5 6 --size 12x10 --material gold --exposure 1 --json
+    python3 - t.jsonl "$stdout" <<'END' || failed 'trace and history differ'
+import json, sys
+last = [e for e in map(json.loads, open(sys.argv[1])) if e.get("stage") == "blend"][-1]
+sys.exit(last["after"] != json.load(open(sys.argv[2]))["color"])
+END
+}
+
 test_mistakes_are_told_and_write_nothing() {
     make_triangle
     expect 2 "^error: --pixel: '5' is no pixel" trace t.obj --pixel 5
