@@ -2,7 +2,9 @@
 #include <raster/scene/draw_plan.h>
 
 #include <algorithm>
+#include <numeric>
 
+#include <raster/scene/outline.h>
 #include <raster/scene/transform.h>
 #include <raster/shading/materials.h>
 
@@ -12,6 +14,13 @@ namespace {
 bool any_vertex_color(const Model& model) {
     return std::any_of(model.vertices.begin(), model.vertices.end(),
                        [](const SurfaceVertex<float>& v) { return v.color != glm::vec3(1.0f); });
+}
+
+/// Twice the area of the triangle in ndc, times the product of its corners' w: positive where its front is seen, also
+/// when corners lie behind the eye (Olano and Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates).
+double facing(const std::array<glm::vec4, 3>& clip) {
+    const auto xyw = [&](std::size_t c) { return glm::dvec3(clip[c].x, clip[c].y, clip[c].w); };
+    return glm::dot(xyw(0), glm::cross(xyw(1), xyw(2)));
 }
 
 }  // namespace
@@ -131,6 +140,45 @@ void DrawPlan::emit(PlannedDraw& draw, const Run& run, const std::function<void(
     std::vector<FaceLight> faces;
     if (draw.frequency == ShadingFrequency::flat) faces = light_faces(draw.uniforms, {draw.reflectance}, draw.mesh);
     draw.faces = faces;
+    options_.style == Style::surface ? visit(draw) : emit_outline(draw, visit);
+}
+
+void DrawPlan::emit_outline(const PlannedDraw& surface, const std::function<void(const PlannedDraw&)>& visit) const {
+    const std::span<const SurfaceVertex<float>> vertices = surface.mesh.vertices;
+    std::vector<std::uint32_t> counted(surface.mesh.indices.empty() ? vertices.size() : 0);
+    std::iota(counted.begin(), counted.end(), 0u);
+    const auto indices = counted.empty() ? surface.mesh.indices : std::span<const std::uint32_t>(counted);
+    const auto is_seen = [&](std::uint32_t t) {
+        if (options_.cull == Cull::none) return true;
+        std::array<glm::vec4, 3> clip{};
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const std::uint32_t i = indices[3 * t + c]; i < vertices.size())
+                clip[c] = transform_point(surface.uniforms.clip_from_object, vertices[i].position);
+        const double side = facing(clip);
+        return options_.cull == Cull::back ? side > 0 : options_.cull == Cull::front && side < 0;
+    };
+    const bool lines = options_.style == Style::wireframe;
+    const Outline outline = lines ? edges_of(indices, is_seen) : corners_of(indices, is_seen);
+
+    // What a triangle has by its number, its lines and points have by theirs.
+    const ShadingUniforms& u = surface.uniforms;
+    std::vector<std::int32_t> numbers;
+    std::vector<std::uint32_t> triangles;
+    std::vector<FaceLight> faces;
+    for (const std::uint32_t t : outline.triangles) {
+        numbers.push_back(u.triangle_numbers.empty() ? u.first_triangle + std::int32_t(t) : u.triangle_numbers[t]);
+        triangles.insert(triangles.end(), &indices[3 * t], &indices[3 * t] + 3);
+        if (!surface.faces.empty()) faces.push_back(surface.faces[t]);
+    }
+    if (numbers.empty()) return;  // no index would mean all vertices
+    PlannedDraw draw = surface;
+    draw.mesh.indices = outline.indices;
+    draw.triangles = triangles;
+    draw.uniforms.triangle_numbers = numbers;
+    draw.faces = faces;
+    draw.state.topology = lines ? Topology::lines : Topology::points;
+    draw.state.line_width = options_.line_width;
+    draw.state.point_size = options_.point_size;
     visit(draw);
 }
 

@@ -16,9 +16,11 @@ struct PlannedDraw {
     Detail level;
     ShadingUniforms uniforms;
     AnyReflectance reflectance;  ///< with the material's parameters
-    std::span<const FaceLight> faces;  ///< for flat shading
+    std::span<const FaceLight> faces;  ///< for flat shading, one a primitive
     Mesh<SurfaceVertex<float>> mesh;
     State state;
+    /// Of a wireframe and of points: three indices a primitive, the triangle that it was taken from.
+    std::span<const std::uint32_t> triangles;
 };
 
 /// What a picture needs besides a camera. The model outlives the plan.
@@ -55,6 +57,8 @@ private:
     State state_for(const Run& run) const;
     SortedTriangles sort(std::span<const Run> runs, const glm::mat4& eye_from_object) const;
     void emit(PlannedDraw& draw, const Run& run, const std::function<void(const PlannedDraw&)>& visit) const;
+    /// The lines or points instead of a draw of triangles.
+    void emit_outline(const PlannedDraw& surface, const std::function<void(const PlannedDraw&)>& visit) const;
 
     const Model& model_;
     RenderOptions options_;

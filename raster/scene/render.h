@@ -22,6 +22,13 @@ enum class ShadingFrequency {
 /// How hidden surfaces are removed.
 enum class Visibility { zbuffer, painter };
 
+/// What is drawn of a triangle.
+enum class Style {
+    surface,
+    wireframe,  ///< its edges, one line for those that share it
+    points,     ///< its corners, one point for those that share it
+};
+
 /// What is taken as a material's ambient colour.
 enum class AmbientColor {
     diffuse,   ///< the diffuse one (Kd): many programs write an arbitrary Ka
@@ -49,6 +56,9 @@ struct RenderOptions {
     bool decode_srgb = false;               ///< colour textures are sRGB and become linear; else byte / 255
     bool vertex_colors = true;
     bool blend = true;                      ///< alpha below 1 is see-through, drawn back to front; else opaque
+    Style style = Style::surface;           ///< culled triangles have no edges nor corners either
+    int line_width = 1;                     ///< of a wireframe, in pixels, 1 and more
+    float point_size = 3;                   ///< in pixels, rounded to whole ones, 1 and more
     Visibility visibility = Visibility::zbuffer;
     PainterKey painter_key = PainterKey::centroid;
     Cull cull = Cull::none;

@@ -133,6 +133,7 @@ Run add_compare(CLI::App& app) {
         ->group("Picture");
     add_view_flags(app, a->view);
     add_picture_flags(app, a->picture);
+    add_style_flags(app, a->picture.options);
     add_switch(app, "--json", a->json, "The figures as one JSON object.")->group("Other flags");
     app.footer(
         "The other picture is made by OSMesa, Mesa's OpenGL without a display (Debian:\n"

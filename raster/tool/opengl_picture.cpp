@@ -88,18 +88,18 @@ void set_uniforms(OpenGl& gl, const Uniforms& to, const PlannedDraw& draw) {
 std::vector<Corner> corners_of(const PlannedDraw& draw) {
     std::vector<Corner> corners;
     const auto& mesh = draw.mesh;
-    if (corner_count(draw.state.topology) < 3) {
-        for (const std::uint32_t i : mesh.indices) corners.push_back({mesh.vertices[i], {}});
-        return corners;
-    }
     const std::size_t count = mesh.indices.empty() ? mesh.vertices.size() : mesh.indices.size();
-    for (std::size_t i = 0; i + 2 < count; i += 3) {
-        std::array<SurfaceVertex<float>, 3> v;
-        for (std::size_t c = 0; c < 3; ++c) v[c] = mesh.vertices[mesh.indices.empty() ? i + c : mesh.indices[i + c]];
-        const glm::vec3 mean = (v[0].color + v[1].color + v[2].color) / 3.0f;
-        for (auto& one : v) {
-            if (draw.frequency == ShadingFrequency::flat) one.color = mean;
-            corners.push_back({one, {v[0].position, v[1].position, v[2].position}});
+    const auto vertex = [&](std::size_t i) { return mesh.vertices[mesh.indices.empty() ? i : mesh.indices[i]]; };
+    const auto corners_a_primitive = std::size_t(corner_count(draw.state.topology));
+    for (std::size_t primitive = 0; primitive < count / corners_a_primitive; ++primitive) {
+        std::array<SurfaceVertex<float>, 3> face;
+        for (std::size_t c = 0; c < 3; ++c)
+            face[c] = corners_a_primitive == 3 ? vertex(3 * primitive + c) : mesh.vertices[draw.triangles[3 * primitive + c]];
+        for (std::size_t c = 0; c < corners_a_primitive; ++c) {
+            Corner corner{vertex(primitive * corners_a_primitive + c), {face[0].position, face[1].position, face[2].position}};
+            if (draw.frequency == ShadingFrequency::flat)
+                corner.vertex.color = (face[0].color + face[1].color + face[2].color) / 3.0f;
+            corners.push_back(corner);
         }
     }
     return corners;

@@ -21,6 +21,8 @@ constexpr std::size_t max_warning_lines = 20;
 constexpr Choices<ShadingFrequency, 3> shadings = {
     {{"flat", ShadingFrequency::flat}, {"gouraud", ShadingFrequency::gouraud}, {"phong", ShadingFrequency::phong}}};
 constexpr Choices<Visibility, 2> visibilities = {{{"zbuffer", Visibility::zbuffer}, {"painter", Visibility::painter}}};
+constexpr Choices<Style, 3> styles = {
+    {{"surface", Style::surface}, {"wireframe", Style::wireframe}, {"points", Style::points}}};
 constexpr Choices<Cull, 3> culls = {{{"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}}};
 constexpr Choices<FillRule, 2> fill_rules = {{{"opengl", FillRule::bottom_left}, {"direct3d", FillRule::top_left}}};
 constexpr Choices<Filter, 2> filters = {{{"nearest", Filter::nearest}, {"bilinear", Filter::bilinear}}};
@@ -136,6 +138,21 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
               "R,G,B or R,G,B,A from 0 to 1, one number for a grey, #RRGGBB, #RRGGBBAA, or transparent; with an alpha"
               " below 1 the picture has an alpha channel. [0.2]")
         ->group("Picture");
+}
+
+void add_style_flags(CLI::App& app, RenderOptions& options) {
+    constexpr const char* group = "Style";
+    add_choice(app, "--style", options.style, styles,
+               "What is drawn of the triangles: all of them, their edges, or their corners. What lies behind is seen"
+               " through a wireframe; --cull back leaves out the far side of closed models. [surface]")
+        ->group(group);
+    add_value(app, "--line-width", "N", options.line_width, [](std::string_view text) { return parse_count(text, 1, 100); },
+              "Of a wireframe, in pixels, 1 to 100. [1]")
+        ->group(group);
+    add_value(app, "--point-size", "N", options.point_size,
+              [](std::string_view text) { return parse_number_within(text, 1.0f, 100.0f); },
+              "Of points, in pixels, 1 to 100. [3]")
+        ->group(group);
 }
 
 RenderOptions PictureFlags::options_for(Model& model) const {

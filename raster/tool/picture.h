@@ -58,6 +58,8 @@ struct PictureFlags {
     Display display_for(const Model& model, const RenderOptions& changed) const;
 };
 void add_picture_flags(CLI::App& app, PictureFlags& flags);
+/// For commands that do not look into triangles.
+void add_style_flags(CLI::App& app, RenderOptions& options);
 
 /// How many threads draw.
 struct ThreadFlags {

@@ -37,6 +37,8 @@ Result<ViewPlan> check_arguments(RenderArguments& a) {
         return Error{ErrorKind::usage, "--turntable moves the camera, so it excludes --camera-json"};
     if (a.bug && (a.outputs.frames > 0 || !a.outputs.planes.empty()))
         return Error{ErrorKind::usage, "--bug draws one picture without planes: it excludes --turntable and --aov"};
+    if (a.bug && a.picture.options.style != Style::surface)
+        return Error{ErrorKind::usage, "--bug is about triangles: it excludes --style wireframe and points"};
     if (a.outputs.picture.empty()) a.outputs.picture = default_picture_path(a.load.model);
     if (const Status status = check(a.outputs, {a.load.model, a.view.json}); !status) return status.error();
     if (a.bug && (a.outputs.format == OutputFormat::pfm || is_standard_output(a.outputs.picture)))
@@ -80,6 +82,7 @@ Run add_render(CLI::App& app) {
         ->group("Picture");
     add_view_flags(app, a->view);
     add_picture_flags(app, a->picture);
+    add_style_flags(app, a->picture.options);
     add_value(app, "--aov", "PLANES", a->outputs.planes, parse_planes, planes_help)->group("Picture");
     const auto frames = [](std::string_view text) { return parse_count(text, 1, max_frames); };
     add_value(app, "--turntable", "N", a->outputs.frames, frames,
@@ -102,6 +105,7 @@ Run add_render(CLI::App& app) {
         "Examples:\n"
         "  raster render teapot.obj\n"
         "  raster render teapot.obj --size 1920x1080 --shade flat -o flat.png\n"
+        "  raster render teapot.obj --style wireframe --cull back --shade flat\n"
         "  raster render teapot.obj --light point:pos=0,4,4:color=#ffd0a0\n"
         "  raster render teapot.obj --turntable 36 --background 1");
     return [a] { return run_render(*a); };

@@ -71,7 +71,9 @@ public:
         line +=
             ": " + to_text(job_.view.size()) + ", " + counted(std::int64_t(job_.model.triangle_count()), "triangle");
         line += outputs.frames > 0 ? " a picture: " : ": ";
-        line += with_separators(counts_.drawn) + " drawn, " + with_separators(counts_.culled) + " culled, " +
+        const Style style = job_.options.style;
+        line += with_separators(counts_.drawn) +
+                (style == Style::wireframe ? " edges" : style == Style::points ? " corners" : "") + " drawn, " + with_separators(counts_.culled) + " culled, " +
                 with_separators(counts_.outside) + " outside the view";
         if (counts_.zero_area > 0) line += ", " + with_separators(counts_.zero_area) + " too small for the pixel grid";
         if (counts_.not_finite > 0) line += ", " + with_separators(counts_.not_finite) + " not finite";

@@ -89,6 +89,16 @@ std::vector<LitScene> made_scenes() {
         LitScene bilinear = scene("torus, " + how + "texture, bilinear", torus(), with(frequency, BlinnPhong{}));
         add_texture(bilinear.model, 16);
         scenes.push_back(bilinear);
+        LitScene wireframe = scene("teapot, " + how + "wireframe", teapot(8), with(frequency, BlinnPhong{}));
+        wireframe.options.style = Style::wireframe;
+        wireframe.options.line_width = 2;
+        scenes.push_back(wireframe);
+        LitScene points = scene("torus, " + how + "points", torus(), with(frequency, BlinnPhong{}));
+        add_texture(points.model, 16);
+        points.options.style = Style::points;
+        points.options.point_size = 5;
+        points.options.cull = Cull::back;
+        scenes.push_back(points);
     }
     std::vector<Light> several = {light(LightKind::directional, {0.4f, 0.1f, 0.1f}),
                                   light(LightKind::point, {0.1f, 0.5f, 0.1f}),

@@ -99,6 +99,12 @@ std::vector<Scene> model_scenes() {
         with("vertex_colors", colorful, [](RenderOptions&) {});
         with("planes", pot, [](RenderOptions&) {}, 16);
         with("see_through", glass, [](RenderOptions&) {});
+        with("wireframe", pot, [](RenderOptions& options) {
+            options.style = Style::wireframe;
+            options.line_width = 2;
+            options.cull = Cull::back;
+        });
+        with("points", colorful, [](RenderOptions& options) { options.style = Style::points; });
     }
     for (const PainterKey key : {PainterKey::centroid, PainterKey::farthest_vertex})
         all.push_back(scene(key == PainterKey::centroid ? "painter_centroid" : "painter_farthest", pot,

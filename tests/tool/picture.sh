@@ -230,4 +230,28 @@ test_textures_are_decoded_for_an_srgb_display_only() {
     differ plain.pfm srgb.pfm # in the background
 }
 
+# Pixels of a PPM of the cube that are not the background.
+cube_pixels() {
+    expect 0 '' render "$SOURCE/models/cube.obj" --size 100x100 --background 0 -o cube.ppm "$@"
+    tail -c 30000 cube.ppm | od -An -v -tu1 -w3 | grep -cv ' 0 *0 *0'
+}
+
+test_wireframes_and_points() {
+    local surface wide thin front points
+    surface=$(cube_pixels)
+    wide=$(cube_pixels --style wireframe --line-width 5)
+    thin=$(cube_pixels --style wireframe)
+    front=$(cube_pixels --style wireframe --cull back)
+    points=$(cube_pixels --style points --point-size 4)
+    [ "$surface" -gt "$wide" ] && [ "$wide" -gt "$thin" ] && [ "$thin" -gt "$front" ] && [ "$front" -gt "$points" ] ||
+        failed "pixels: $surface $wide $thin $front $points"
+    [ "$points" = $((8 * 16)) ] || failed "$points pixels in 8 points of 4 x 4"
+    expect 0 '12 triangles: 30 edges drawn' render "$SOURCE/models/cube.obj" --style wireframe
+    expect 0 '' render "$SOURCE/models/cube.obj" --style wireframe --hidden painter -o painter.png
+    expect 2 'is none of surface, wireframe, points' render "$SOURCE/models/cube.obj" --style lines
+    expect 2 '1 to 100' render "$SOURCE/models/cube.obj" --style points --point-size 0
+    expect 2 'whole|1 to 100' render "$SOURCE/models/cube.obj" --line-width 1.5
+    expect 2 '' render "$SOURCE/models/cube.obj" --style wireframe --bug no-cull
+}
+
 run_tests "$@"
