@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 
+#include <raster/stages/project.h>
+
 namespace raster::tool {
 namespace {
 
@@ -23,6 +25,7 @@ enum : unsigned {
     gl_cull_face = 0x0b44,
     gl_depth_test = 0x0b71,
     gl_blend = 0x0be2,
+    gl_scissor_test = 0x0c11,
     gl_unpack_alignment = 0x0cf5,
     gl_pack_alignment = 0x0d05,
     gl_texture_2d = 0x0de1,
@@ -40,6 +43,8 @@ enum : unsigned {
     gl_texture_wrap_t = 0x2803,
     gl_repeat = 0x2901,
     gl_rgba8 = 0x8058,
+    gl_clip_plane0 = 0x3000,
+    gl_polygon_offset_fill = 0x8037,
     gl_clamp_to_edge = 0x812f,
     gl_mirrored_repeat = 0x8370,
     gl_texture0 = 0x84c0,
@@ -111,7 +116,7 @@ std::string OpenGl::version() const {
     return (mesa == std::string::npos ? full : full.substr(mesa)) + ", " + text(gl_renderer);
 }
 
-Status OpenGl::begin(int width, int height, glm::vec4 clear_color) {
+Status OpenGl::begin(int width, int height, glm::vec4 clear_color, float clear_depth) {
     width_ = width, height_ = height;
     buffer_.assign(std::size_t(width) * std::size_t(height), 0);
     const auto make_current = find<MakeCurrent>(library_, "OSMesaMakeCurrent");
@@ -120,9 +125,9 @@ Status OpenGl::begin(int width, int height, glm::vec4 clear_color) {
         return trouble("it takes no target of " + std::to_string(width) + "x" + std::to_string(height));
     pixel_store(osmesa_y_up, 0);
     apply({});
-    Viewport(0, 0, width, height);
+    UseProgram(0);
     ClearColor(clear_color.r, clear_color.g, clear_color.b, clear_color.a);
-    ClearDepth(1);
+    ClearDepth(double(clear_depth));
     Clear(gl_color_and_depth_bits);
     return Done{};
 }
@@ -143,12 +148,26 @@ Result<OpenGlPicture> OpenGl::end() {
 
 void OpenGl::apply(const State& state) {
     const auto enable = [&](unsigned what, bool on) { on ? Enable(what) : Disable(what); };
+    const raster::Viewport v = effective_viewport(state.viewport, width_, height_);
+    Viewport(v.x, height_ - (v.y + v.height), v.width, v.height);  // OpenGL's rows go up
+    DepthRange(double(v.near_depth), double(v.far_depth));
     FrontFace(state.front_face == FrontFace::counter_clockwise ? gl_ccw : gl_cw);
     enable(gl_cull_face, state.cull != Cull::none);
     CullFace(state.cull == Cull::both ? gl_front_and_back : state.cull == Cull::front ? gl_front : gl_back);
     enable(gl_depth_test, true);
     DepthFunc(gl_never + unsigned(state.depth_compare));  // OpenGL has them in the same order
     DepthMask(state.depth_write);
+    ColorMask(state.color_write, state.color_write, state.color_write, state.color_write);
+    enable(gl_scissor_test, state.scissor.has_value());
+    if (const auto& s = state.scissor) Scissor(s->x, height_ - (s->y + s->height), s->width, s->height);
+    enable(gl_polygon_offset_fill, state.depth_offset.is_on());
+    PolygonOffset(state.depth_offset.factor, state.depth_offset.units);
+    for (unsigned i = 0; i < unsigned(max_user_planes); ++i) {
+        enable(gl_clip_plane0 + i, i < state.clip_planes.size());
+        if (i >= state.clip_planes.size()) continue;
+        const glm::dvec4 coefficients(state.clip_planes[i]);
+        ClipPlane(gl_clip_plane0 + i, &coefficients.x);
+    }
     enable(gl_blend, state.blend != Blend::off);
     const bool add = state.blend == Blend::additive;
     BlendFunc(add ? gl_one : gl_src_alpha, add ? gl_one : gl_one_minus_src_alpha);

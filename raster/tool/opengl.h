@@ -18,6 +18,11 @@ namespace raster::tool {
     X(void, Enable, (unsigned what))                                                                   \
     X(void, Disable, (unsigned what))                                                                  \
     X(void, Viewport, (int x, int y, int width, int height))                                           \
+    X(void, DepthRange, (double near_depth, double far_depth))                                         \
+    X(void, Scissor, (int x, int y, int width, int height))                                            \
+    X(void, ClipPlane, (unsigned plane, const double* coefficients))                                   \
+    X(void, PolygonOffset, (float factor, float units))                                                \
+    X(void, ColorMask, (unsigned char r, unsigned char g, unsigned char b, unsigned char a))           \
     X(void, FrontFace, (unsigned mode))                                                                \
     X(void, CullFace, (unsigned mode))                                                                 \
     X(void, DepthFunc, (unsigned compare))                                                             \
@@ -51,7 +56,13 @@ namespace raster::tool {
     X(void, EnableVertexAttribArray, (unsigned place))                                                 \
     X(void, VertexAttribPointer,                                                                       \
       (unsigned place, int size, unsigned type, unsigned char normalized, int stride, const void* at)) \
+    X(void, DisableVertexAttribArray, (unsigned place))                                                \
+    X(void, EnableClientState, (unsigned array))                                                       \
+    X(void, DisableClientState, (unsigned array))                                                      \
+    X(void, VertexPointer, (int size, unsigned type, int stride, const void* at))                      \
+    X(void, ColorPointer, (int size, unsigned type, int stride, const void* at))                       \
     X(void, DrawArrays, (unsigned mode, int first, int count))                                         \
+    X(void, DrawElements, (unsigned mode, int count, unsigned type, const void* indices))              \
     X(void, ActiveTexture, (unsigned unit))                                                            \
     X(void, GenTextures, (int count, unsigned* names))                                                 \
     X(void, BindTexture, (unsigned target, unsigned name))                                             \
@@ -73,7 +84,7 @@ public:
     OpenGl(const OpenGl&) = delete;
 
     /// Makes a target of this size current and clears it.
-    Status begin(int width, int height, glm::vec4 clear_color);
+    Status begin(int width, int height, glm::vec4 clear_color, float clear_depth = 1);
     Result<OpenGlPicture> end();
 
     /// What it calls itself, as "Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 128 bits)"; after begin.
@@ -83,7 +94,7 @@ public:
     Result<unsigned> program(const std::string& vertex, const std::string& fragment,
                              const std::vector<std::string>& attributes) const;
     void bind_texture(const TextureView& texture, unsigned unit);
-    /// Sets what pictures of models use of a State.
+    /// Sets all that a State says but its topology.
     void apply(const State& state);
 
 #define RASTER_OPENGL_MEMBER(result, name, arguments) result(*name) arguments = nullptr;

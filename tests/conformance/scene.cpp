@@ -103,16 +103,16 @@ Picture render(const Scene& scene, Path path) {
     Target target(scene.width, scene.height);
     target.clear(scene.clear_color, scene.clear_depth);
     for (const Draw& d : scene.draws) {
-        switch (d.style) {
-            case Style::flat: draw_with(Colored<Interpolation::flat>{}, target, d, path); break;
-            case Style::noperspective: draw_with(Colored<Interpolation::noperspective>{}, target, d, path); break;
-            case Style::textured: {
+        switch (d.coloring) {
+            case Coloring::flat: draw_with(Colored<Interpolation::flat>{}, target, d, path); break;
+            case Coloring::noperspective: draw_with(Colored<Interpolation::noperspective>{}, target, d, path); break;
+            case Coloring::textured: {
                 const TextureView view(d.texture.image, d.texture.wrap, d.texture.filter);
                 draw_with(Textured{view}, target, d, path);
                 break;
             }
-            case Style::smooth:
-            case Style::fixed_function: draw_with(Colored<Interpolation::smooth>{}, target, d, path); break;
+            case Coloring::smooth:
+            case Coloring::fixed_function: draw_with(Colored<Interpolation::smooth>{}, target, d, path); break;
         }
     }
     return {target.color8(), target.depth()};

@@ -20,7 +20,7 @@ struct Vertex {
 };
 
 /// How a draw is coloured.
-enum class Style {
+enum class Coloring {
     smooth,          ///< the vertices' colours, perspective-correct
     flat,            ///< the colour of the provoking vertex
     noperspective,   ///< colours, linear in the window
@@ -39,7 +39,7 @@ struct Draw {
     std::vector<std::uint32_t> indices;
     State state;
     std::vector<glm::vec4> clip_planes = {};  ///< the state's, which only refers to them
-    Style style = Style::smooth;
+    Coloring coloring = Coloring::smooth;
     Texture texture;
 
     State full_state() const {
