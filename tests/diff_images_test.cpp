@@ -29,6 +29,7 @@ using raster::testing::Random;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 Diff compare(const AnyImage& expected, const AnyImage& actual, const Gates& gates = {}) {
     DiffOptions options;
@@ -147,6 +148,8 @@ TEST(Diff, AGateFarLooserThanNeededIsWarnedOf) {
     EXPECT_THAT(compare(a, b, {.max_delta = 6}).warnings, IsEmpty());
     EXPECT_THAT(compare(a, b, {.max_delta = 10}).warnings, IsEmpty());
     EXPECT_THAT(compare(a, b, {.max_delta = 60}).warnings, Contains("--max-delta 60 is far looser than needed: 6 would pass"));
+    EXPECT_THAT(compare(a, b, {.max_delta = 16}).warnings, IsEmpty());
+    EXPECT_THAT(compare(a, b, {.max_delta = 17}).warnings, Not(IsEmpty()));
     EXPECT_THAT(compare(a, a, {.max_delta = 51}).warnings, Contains(HasSubstr("0 would pass")));
     EXPECT_THAT(compare(a, b, {.max_pixels = 500}).warnings, Contains("--max-pixels 500 is far looser than needed: 6 would pass"));
     EXPECT_THAT(compare(a, b, {.flip = 0.5}).warnings, Contains(HasSubstr("--flip 0.5 is far looser")));

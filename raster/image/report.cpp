@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <new>
@@ -80,6 +81,11 @@ std::string actual_name(const Comparison& pair) {
     std::string ending = fs::path(pair.actual.path).extension().string();
     if (ending.empty()) ending = pair.actual.image && std::holds_alternative<ImageF>(*pair.actual.image) ? ".pfm" : ".png";
     return stem_of(pair.name) + ".actual" + ending;
+}
+
+bool has_nan(const AnyImage& image) {
+    const auto* floats = std::get_if<ImageF>(&image);
+    return floats && std::any_of(floats->samples.begin(), floats->samples.end(), [](float v) { return std::isnan(v); });
 }
 
 void remove_if_there(const fs::path& file) {
@@ -159,6 +165,7 @@ Status DiffReport::write_pictures(const Comparison& pair, ReportEntry& entry) {
     }
     if (!pair.actual.file.empty() && pair.actual.image) {
         entry.actual_file = actual_name(pair);
+        entry.approvable = !has_nan(*pair.actual.image);
         jobs.push_back([&] { return write_file((fs::path(folder_) / entry.actual_file).string(), pair.actual.file); });
     }
     const auto embed_side = [&](const ComparedPicture& side, std::string& url) {

@@ -25,6 +25,7 @@ struct ReportEntry {
     std::int64_t region_count = 0;
     int width = 0, height = 0;                           ///< of the expected picture, or the actual one
     std::string actual_file, difference_file, triptych_file;  ///< names in the report's folder, "" when not written
+    bool approvable = false;                                   ///< it failed, and the actual picture could be the expected one
     /// Pictures as data: URLs, for the page only.
     std::string expected_url, actual_url, difference_url, flip_url;
 };

@@ -71,7 +71,7 @@ function showFacts() {
   const side = file => [file.path || "(in memory)", file.shape ? "  \u2013  " + file.shape : ""];
   if (facts.expected.path || facts.expected.shape) lines.push(["expected", side(facts.expected)]);
   if (facts.actual.path || facts.actual.shape) lines.push(["actual", side(facts.actual)]);
-  if (fails(current()) && facts.files.actual) lines.push(["if it is right", [code("raster approve " + report.folder)]]);
+  if (facts.approvable) lines.push(["if it is right", [code("raster approve " + report.folder)]]);
   $("more").replaceChildren(...lines.flatMap(([name, parts]) => [make("dt", {}, name), make("dd", {}, ...parts)]));
 }
 

@@ -124,14 +124,17 @@ std::string to_string(const ReportEntry& entry, const std::string& folder) {
 
 std::string DiffReport::text() const {
     std::string words;
-    std::size_t failed = 0, approvable = 0;
+    std::size_t failed = 0, approvable = 0, tolerated = 0;
     for (const ReportEntry& entry : entries_) {
         const bool passed = passes(entry.verdict);
         failed += passed ? 0 : 1;
-        approvable += !passed && !entry.actual_file.empty() ? 1 : 0;
+        approvable += entry.approvable ? 1 : 0;
+        tolerated += entry.verdict == Verdict::tolerated ? 1 : 0;
         if (entry.verdict != Verdict::same || !entry.warnings.empty() || !entry.notes.empty()) words += to_string(entry, folder_);
     }
-    if (failed == 0) return words + "all same: " + plural(std::int64_t(entries_.size()), "picture") + "\n";
+    if (failed == 0)
+        return words + (tolerated > 0 ? "all pass: " : "all same: ") + plural(std::int64_t(entries_.size()), "picture") +
+               (tolerated > 0 ? ", " + grouped((long long)tolerated) + " within the gates" : "") + "\n";
     words += grouped((long long)failed) + " of " + plural(std::int64_t(entries_.size()), "picture") + " failed; see " + folder_ + "/report.html\n";
     if (approvable > 0) words += "If the actual pictures are right: raster approve " + folder_ + "\n";
     return words;
@@ -140,7 +143,7 @@ std::string DiffReport::text() const {
 std::string to_json(const ReportEntry& e) {
     JsonObject object;
     object.text("name", e.name).text("verdict", to_string(e.verdict)).add("passes", passes(e.verdict) ? "true" : "false");
-    object.text("reason", e.reason).text("golden", e.golden);
+    object.add("approvable", e.approvable ? "true" : "false").text("reason", e.reason).text("golden", e.golden);
     object.add("expected", json_of(e.expected_path, e.expected_shape, e.expected_crc));
     object.add("actual", json_of(e.actual_path, e.actual_shape, e.actual_crc));
     object.add("width", std::to_string(e.width)).add("height", std::to_string(e.height));

@@ -84,7 +84,9 @@ GoldenResult check(const std::string& name, const AnyImage& image, const DiffOpt
     }
     std::string message = to_string(report.entries().front(), folder);
     if (!trouble.empty()) return failure(message + trouble);
-    return failure(message + "  report      " + folder + "/report.html\n  if it is right: raster approve " + folder + "\n");
+    message += "  report      " + folder + "/report.html\n";
+    if (report.entries().front().approvable) message += "  if it is right: raster approve " + folder + "\n";
+    return failure(message);
 }
 
 }  // namespace
