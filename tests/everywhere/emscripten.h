@@ -1,6 +1,7 @@
 // emscripten.h: what the library of Debian 12's emscripten 3.1.6 lacks, as far as this program needs it.
 #pragma once
 
+#include <atomic>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -28,6 +29,15 @@ inline from_chars_result from_chars(const char* first, const char* last, float& 
     value = strtof(text, &end);
     return {first + (end - text), end == text ? errc::invalid_argument : errc()};
 }
+
+/// One thread draws there.
+template <class T>
+struct atomic_ref {
+    T& value;
+    explicit atomic_ref(T& object) : value(object) {}
+    T load(memory_order) const { return value; }
+    void store(T desired, memory_order) const { value = desired; }
+};
 
 }  // namespace std
 
