@@ -74,8 +74,15 @@ int run(int argc, char** argv) {
         const auto parsed = app.get_subcommands();
         return parsed.empty() ? nullptr : parsed.front();
     };
+    // `raster help diff` is `raster diff --help`.
+    std::vector<char*> arguments(argv, argv + argc);
+    static char help_flag[] = "--help";
+    if (argc > 1 && std::string_view(argv[1]) == "help") {
+        arguments.erase(arguments.begin() + 1);
+        arguments.push_back(help_flag);
+    }
     try {
-        app.parse(argc, argv);
+        app.parse(int(arguments.size()), arguments.data());
     } catch (const CLI::CallForVersion&) {
         const Status printed = print("raster " RASTER_VERSION "\n");
         return printed ? exit_done : fail(printed.error());

@@ -148,4 +148,16 @@ test_the_last_one_counts() {
     expect 0 ': 8x9,' render t.obj --size 100x100 --size 8x9
 }
 
+test_help_knows_the_commands() {
+    local command
+    for command in render diff approve; do
+        expect 0 '' help $command
+        cp "$stdout" by_word
+        expect 0 '' $command --help
+        same by_word "$stdout"
+    done
+    expect 0 '' help
+    expect_out 'render +'
+}
+
 run_tests "$@"
