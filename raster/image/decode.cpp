@@ -96,7 +96,9 @@ Result<ImageF> decode_image_float(File file, const std::string& name, const Imag
 }
 
 Result<AnyImage> load_image(const std::string& path, const ImageLimits& limits) {
-    const Result<Bytes> file = read_file(path, 16 * std::size_t(limits.max_pixels) + (std::size_t(1) << 20));
+    // No more than a picture of so many pixels may need, where size_t has 32 bits too.
+    const std::uint64_t most = 16 * std::uint64_t(limits.max_pixels) + (1 << 20);
+    const Result<Bytes> file = read_file(path, std::size_t(std::min<std::uint64_t>(most, SIZE_MAX)));
     return file ? decode_image(*file, path, limits) : file.error();
 }
 Result<Image8> load_image8(const std::string& path, const ImageLimits& limits) {

@@ -29,7 +29,7 @@ struct ObjOptions {
     /// What goes beyond these is refused before the memory for it is taken. A grid of 2 million triangles takes
     /// 320 MB at the peak of loading, one of 10 million 1.6 GB: about 160 bytes a triangle. Where no two corners are
     /// alike it can be 400 bytes.
-    std::size_t max_file_bytes = std::size_t(4) << 30;
+    std::size_t max_file_bytes = sizeof(std::size_t) > 4 ? std::size_t(std::uint64_t(4) << 30) : SIZE_MAX;
     std::size_t max_triangles = 16'000'000;
     std::size_t max_line_bytes = std::size_t(4) << 20;       ///< after continuations are joined; comments are free
     std::size_t max_material_bytes = std::size_t(16) << 20;  ///< of one MTL file
