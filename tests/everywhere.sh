@@ -54,7 +54,9 @@ wanted=("$@")
 out=build/everywhere
 mkdir -p "$out/include"
 # Foreign compilers do not look into /usr/include; these headers have no code for one processor in them.
-for header in glm stb tiny_obj_loader.h libdeflate.h; do ln -sfn "/usr/include/$header" "$out/include/$header"; done
+for header in glm stb tiny_obj_loader.h libdeflate.h eigen3/Eigen; do
+    ln -sfn "/usr/include/$header" "$out/include/${header##*/}"
+done
 export NODE_PATH=/usr/share/nodejs
 unset EM_CACHE
 

@@ -50,5 +50,12 @@ inline bool any_of(const Range& range, const Test& test) {
         if (test(value)) return true;
     return false;
 }
+
+template <class Range, class Value, class Member>
+inline auto find(const Range& range, const Value& value, Member member) {
+    auto at = range.begin();
+    while (at != range.end() && !((*at).*member == value)) ++at;
+    return at;
+}
 }  // namespace ranges
 _LIBCPP_END_NAMESPACE_STD
