@@ -8,6 +8,13 @@ model_packages=(glmark2-data assimp-testmodels)
 test_packages=(libgtest-dev libgmock-dev doxygen clang libclang-rt-14-dev libosmesa6-dev embree-tools
     python3-jsonschema)
 
+# The stepper page in a browser, and traces against their schema: by npm packages where there is npm, which brings node.
+if command -v npm >/dev/null; then
+    test_packages+=(chromium)
+else
+    test_packages+=(nodejs node-ajv)
+fi
+
 bench_packages=(libosmesa6-dev)
 
 # install_packages NAME...: installs those that are missing; says so; does nothing when all are there.

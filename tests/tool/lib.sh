@@ -64,6 +64,29 @@ make_triangle() {
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"${1:-t.obj}"
 }
 
+# Ends the script as ctest expects it of a test that cannot run here, with the reason.
+skip() {
+    echo "SKIPPED: $*"
+    exit 77
+}
+
+# need_npm PACKAGE...: sets $modules to a folder node_modules with these npm packages, which are fetched once into the
+# build folder; skips the script where that cannot be.
+need_npm() {
+    local folder package
+    folder=${RASTER_NPM:-${XDG_CACHE_HOME:-$HOME/.cache}/raster-npm}/$1
+    modules=$folder/node_modules
+    command -v node >/dev/null || skip "node is not here"
+    for package in "$@"; do
+        [ ! -d "$modules/$package" ] || continue
+        command -v npm >/dev/null || skip "npm, which would fetch $*, is not here"
+        mkdir -p "$folder"
+        timeout 120 npm install --prefix "$folder" --no-audit --no-fund --loglevel=error "$@" >"$stderr" 2>&1 ||
+            skip "npm cannot fetch $*: $(tail -1 "$stderr")"
+        return 0
+    done
+}
+
 # Its own line, because sanitizers reserve terabytes of addresses.
 skip_with_sanitizers() {
     [ -z "${RASTER_SANITIZED:-}" ]

@@ -19,8 +19,10 @@ function check(ok, what) {
 
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: ["--no-sandbox"] });
 const trouble = [];
-async function open(url, options = {}) {
-    const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, ...options });
+let opened = null;
+async function open(url, options = {}) {  // one at a time
+    if (opened) await opened.close();
+    const page = opened = await browser.newPage({ viewport: { width: 1400, height: 900 }, ...options });
     page.on("console", message => ["error", "warning"].includes(message.type()) && trouble.push(message.text()));
     page.on("pageerror", error => trouble.push(error.message));
     page.on("request", request => {
@@ -157,27 +159,18 @@ check((await page.locator("#grid-text").innerText()).includes(shown), "the pictu
 check((await numbers(page)).includes(shown), "and so has the numbers pane");
 
 // Accessibility, light and dark, wide and narrow.
-for (const [url, width] of [[bug, 1400], [bug, 420], [gouraud + "#stage=fragment", 1400], [gold + "#stage=blend", 1400]])
-    for (const colorScheme of ["light", "dark"]) {
-        page = await open(url, { colorScheme, viewport: { width, height: 900 }, bypassCSP: true });
-        await page.evaluate(axe_source);
-        const found = await page.evaluate(() => axe.run());
-        for (const v of found.violations)
-            check(false, `axe ${url.split("/").at(-1)} ${colorScheme}: ${v.id}: ${v.nodes.slice(0, 2).map(n => n.html.slice(0, 120)).join(" | ")}`);
-        check(found.violations.length === 0, `axe: ${url.split("/").at(-1)}, ${colorScheme}, ${width}`);
-        await page.close();
-    }
-for (const colorScheme of ["light", "dark"])
-    for (const width of [1400, 420])
-        for (const stage of width === 420 ? ["vertex", "depth"] : ["vertex", "clip", "coverage", "depth", "fragment"]) {
-            page = await open(teapot + link.replace("depth", stage), { colorScheme, viewport: { width, height: 900 }, bypassCSP: true });
-            await page.evaluate(axe_source);
-            const found = await page.evaluate(() => axe.run());
-            for (const v of found.violations)
-                check(false, `axe ${stage} ${colorScheme} ${width}: ${v.id}: ${v.nodes.slice(0, 2).map(n => n.html.slice(0, 120)).join(" | ")}`);
-            check(found.violations.length === 0, `axe: ${stage}, ${colorScheme}, ${width}`);
-            await page.close();
-        }
+const at_stage = stage => teapot + link.replace("depth", stage);
+const looks = [...["vertex", "clip", "coverage", "depth", "fragment"].flatMap(stage => [[at_stage(stage), "light", 1400], [at_stage(stage), "dark", 1400]]),
+    [at_stage("vertex"), "light", 420], [at_stage("depth"), "dark", 420], [bug, "light", 1400], [bug, "dark", 420],
+    [gouraud + "#stage=fragment", "dark", 1400], [gold + "#stage=blend", "light", 1400]];
+for (const [url, colorScheme, width] of looks) {
+    page = await open(url, { colorScheme, viewport: { width, height: 900 }, bypassCSP: true });
+    await page.evaluate(axe_source);
+    const found = await page.evaluate(() => axe.run());
+    const name = `axe ${url.split("/").at(-1)} ${colorScheme} ${width}`;
+    for (const v of found.violations) check(false, `${name}: ${v.id}: ${v.nodes.slice(0, 2).map(n => n.html.slice(0, 120)).join(" | ")}`);
+    check(found.violations.length === 0, name);
+}
 
 check(trouble.length === 0, "no request and no message in the console: " + trouble.slice(0, 3).join("; "));
 await browser.close();
