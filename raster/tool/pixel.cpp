@@ -86,7 +86,8 @@ Run add_pixel(CLI::App& app) {
         "numbered from 1 in the order of the file, as by --aov triangle. e=(...) are the\n"
         "three edge functions at the pixel's centre in square subpixels, * where the\n"
         "centre lies on the edge. Verdicts: WON, ALL_REJECTED, NEVER_COVERED, CLIPPED,\n"
-        "CULLED, BACKGROUND, NAN.\n"
+        "CULLED, BACKGROUND, NAN. Histories are of triangles: the lines and points of\n"
+        "`raster render --style` have none.\n"
         "Example:\n"
         "  raster pixel teapot.obj 400 300");
     return [a] { return run_pixel(*a); };

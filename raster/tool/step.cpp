@@ -156,6 +156,7 @@ Run add_step(CLI::App& app) {
     add_progress_flags(app, a->progress);
     add_switch(app, "-q,--quiet", a->quiet, "Say nothing but errors.")->group("Other flags");
     app.footer(
+        "Pages are of triangles, not of the lines and points of `raster render --style`.\n"
         "Examples:\n"
         "  raster step teapot.obj\n"
         "  raster step teapot.obj --pixel 400,250 --stage depth\n"

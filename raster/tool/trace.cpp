@@ -133,7 +133,8 @@ Run add_trace(CLI::App& app) {
     add_picture_flags(app, a->picture);
     add_switch(app, "-q,--quiet", a->quiet, "Say nothing but errors.")->group("Other flags");
     app.footer(
-        "docs/trace.md and docs/trace.schema.json tell what the lines mean.\n"
+        "docs/trace.md and docs/trace.schema.json tell what the lines mean. Traces are of\n"
+        "triangles, not of the lines and points of `raster render --style`.\n"
         "Examples:\n"
         "  raster trace teapot.obj --pixel 400,300 -o -\n"
         "  raster trace teapot.obj --triangle 831 --stage vertex,clip,project,setup\n"

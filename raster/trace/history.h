@@ -92,10 +92,11 @@ struct HistoryOptions {
     bool terms = true;         ///< a second run for FragmentTerms and CornerLight
 };
 
-/// The history of pixel (x, y) of the picture that render() makes. The picture's own draws are run, all stages up to
-/// the setup for all triangles and those of pixels for this one; every number in the entries is from that run. Only
-/// what is listed (how near a triangle comes, what clipped or culled triangles would have covered) is decided here.
-/// `target` gives size and formats, is drawn to, and has its picture at that pixel alone.
+/// The history of pixel (x, y) of the picture that render() makes of surfaces; lines and points leave no entries. The
+/// picture's own draws are run, all stages up to the setup for all triangles and those of pixels for this one; every
+/// number in the entries is from that run. Only what is listed (how near a triangle comes, what clipped or culled
+/// triangles would have covered) is decided here. `target` gives size and formats, is drawn to, and has its picture at
+/// that pixel alone.
 PixelHistory pixel_history(Target& target, const Model& model, const CameraMatrices& camera,
                            const RenderOptions& options, int x, int y, const HistoryOptions& history = {});
 
