@@ -94,11 +94,19 @@ TEST(StepRecord, GouraudsCornersHaveTheShadersBitsAndMixToWhatArrives) {
             const Record record = record_all(cube(), camera_at(), options, target);
             const bool plain = record.draws[0].level == Detail::plain;
             EXPECT_EQ(plain, !two_sided);
+            int behind = 0;
             std::map<std::int64_t, const TriangleRecord*> triangles;
             for (const TriangleRecord& t : record.triangles) {
                 triangles[t.number] = &t;
-                for (const VertexRecord& v : t.corners) ASSERT_TRUE(v.shading && v.shading->agrees);
+                for (const VertexRecord& v : t.corners) {
+                    ASSERT_TRUE(v.shading && v.shading->agrees);
+                    if (plain) continue;
+                    const std::size_t seen = t.pieces[0].front_facing ? 0 : 6;
+                    EXPECT_EQ(v.shading->sum_diffuse.r, v.varyings[seen]);
+                    behind += seen != 0 && v.varyings[0] != v.varyings[6];
+                }
             }
+            EXPECT_TRUE(plain || behind > 0);
             std::size_t mixed = 0;
             for (const FragmentRecord& f : record.fragments) {
                 if (!f.passed) continue;
