@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include <raster/image/malloc_block.h>
+
 namespace raster {
 namespace {
 
@@ -88,15 +90,10 @@ bool read_chunks(File file, Contents& contents) {
     return true;
 }
 
-struct Free {
-    void operator()(void* memory) const { std::free(memory); }
-};
-using Block = std::unique_ptr<Byte, Free>;
-
-Block inflate(File data, std::size_t size) {
+MallocBlock<Byte> inflate(File data, std::size_t size) {
     const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-    Block block(static_cast<Byte*>(std::malloc(size)));
+    MallocBlock<Byte> block(static_cast<Byte*>(std::malloc(size)));
     if (!decompressor || !block) throw std::bad_alloc();
     // Asks for exactly `size` bytes and a right checksum.
     const auto result =
@@ -207,7 +204,7 @@ std::optional<std::variant<Image8, Image16>> read_common_png(File file, const Im
     const std::size_t size = (1 + row_bytes) * contents.height;
     // Deflate packs 1032 to 1 at best: memory is taken only for what can be there.
     if (size / 1032 > contents.data.size()) return std::nullopt;
-    const Block filtered = inflate(contents.data, size);
+    const MallocBlock<Byte> filtered = inflate(contents.data, size);
     if (!filtered) return std::nullopt;
 
     const int width = int(contents.width), height = int(contents.height);

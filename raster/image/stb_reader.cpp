@@ -11,6 +11,8 @@
 #include <new>
 #include <vector>
 
+#include <raster/image/malloc_block.h>
+
 namespace raster {
 namespace {
 
@@ -229,10 +231,6 @@ Result<Size> read_size(File file, const std::string& name) {
     return Size{width, std::abs(std::int64_t(height))};
 }
 
-struct Free {
-    void operator()(void* block) const { std::free(block); }
-};
-
 template <class T>
 Result<Picture> read_pixels(File file, const std::string& name, Size size) {
     int width = 0, height = 0, channels = 0;
@@ -244,7 +242,7 @@ Result<Picture> read_pixels(File file, const std::string& name, Size size) {
     Source source(file);
     // 8 bytes a pixel at most, twice that while stb doubles a buffer; JPEG pads to blocks.
     prepare(std::max(std::size_t(16 * (size.width + 64) * (size.height + 64)), 2 * file.size()));
-    const std::unique_ptr<T, Free> samples(
+    const MallocBlock<T> samples(
         load(&Source::callbacks(), &source, &width, &height, &channels, as_in_file));
     if (samples == nullptr || source.ran_dry()) return failure(name, source);
     if (width != size.width || height != size.height) return bad_input(name, "corrupt: two sizes");

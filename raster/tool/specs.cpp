@@ -103,14 +103,14 @@ struct LightKeys {
     }
 };
 
-struct Kind {
+struct LightForm {
     const char* name;
     LightKind kind;
     std::vector<std::string> keys;
 };
 
-const std::vector<Kind>& kinds() {
-    static const std::vector<Kind> all = {
+const std::vector<LightForm>& kinds() {
+    static const std::vector<LightForm> all = {
         {"head", LightKind::directional, {"color", "intensity"}},
         {"ambient", LightKind::ambient, {"color", "intensity"}},
         {"directional",
@@ -145,8 +145,8 @@ Result<std::vector<Light>> parse_light(std::string_view text) {
     const Result<Spec> spec = parse_spec(text);
     if (!spec) return spec.error();
     std::vector<std::string> names;
-    for (const Kind& kind : kinds()) names.emplace_back(kind.name);
-    const auto kind = std::ranges::find_if(kinds(), [&](const Kind& k) { return k.name == spec->name; });
+    for (const LightForm& kind : kinds()) names.emplace_back(kind.name);
+    const auto kind = std::ranges::find_if(kinds(), [&](const LightForm& k) { return k.name == spec->name; });
     if (kind == kinds().end())
         return usage(in_quotes(text) + ": " + in_quotes(spec->name) + " is none of " + joined(names) +
                      did_you_mean(spec->name, names));

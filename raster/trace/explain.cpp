@@ -43,8 +43,6 @@ int distance(const Rgb& a, const Rgb& b) {
     return most;
 }
 
-std::string name_of(const HistoryEntry& e) { return "triangle " + std::to_string(e.triangle.number + 1); }
-
 /// How far the centre is from edge i's line, in subpixels; positive inside.
 double subpixels_inside(const HistoryEntry& e, int i) {
     const Edge<float>& edge = e.setup()->setup.edges[std::size_t(i)];
@@ -94,19 +92,19 @@ public:
             const PixelHistory left = history_of(without(model_, winner->triangle.number), e.x, e.y);
             if (distance(rgb_of(left.color), other) <= 2 && distance(rgb_of(left.color), ours) > 2)
                 return conclude(DiffCause::missing_triangle,
-                                std::string(other_name) + " shows what lies below " + name_of(*winner));
+                                std::string(other_name) + " shows what lies below " + winner->name());
         } else {
             for (const HistoryEntry& entry : e.history.entries)
                 if (entry.fate == PixelFate::culled || entry.fate == PixelFate::clipped)
                     return conclude(DiffCause::missing_triangle, std::string(other_name) + " shows something where " +
-                                                                     name_of(entry) + " was " + to_string(entry.fate));
+                                                                     entry.name() + " was " + to_string(entry.fate));
         }
-        conclude(DiffCause::shading, winner ? name_of(*winner) + " has another colour in " + other_name
+        conclude(DiffCause::shading, winner ? winner->name() + " has another colour in " + other_name
                                             : std::string(other_name) + " has another background");
     }
 
 private:
-    static std::string in(const HistoryEntry* winner) { return winner ? " on " + name_of(*winner) : ""; }
+    static std::string in(const HistoryEntry* winner) { return winner ? " on " + winner->name() : ""; }
 
     PixelHistory history_of(const Model& model, int x, int y) {
         return pixel_history(target_, model, camera_, options_, x, y, {1.0, false});
@@ -123,7 +121,7 @@ private:
                 const double inside = subpixels_inside(e, i);
                 if (std::abs(inside) > 1.0) continue;
                 const Edge<float>& edge = e.setup()->setup.edges[std::size_t(i)];
-                const std::string which = std::string(" ") + to_string(side_of(edge)) + " edge of " + name_of(e);
+                const std::string which = std::string(" ") + to_string(side_of(edge)) + " edge of " + e.name();
                 if (e.is_tie(i))
                     return "the centre lies exactly on the" + which + ", which " +
                            (edge.inclusive ? "owns it" : "does not own it");
@@ -142,7 +140,7 @@ private:
             if (&e == &winner || !e.pixel() || !e.pixel()->depth) continue;
             const auto a = std::int64_t(winner.pixel()->depth->incoming), b = std::int64_t(e.pixel()->depth->incoming);
             if (std::abs(a - b) <= 2)
-                return name_of(winner) + " and " + name_of(e) +
+                return winner.name() + " and " + e.name() +
                        (a == b ? " have the same depth"
                                : " are " + std::to_string(std::abs(a - b)) + " depth steps apart");
         }

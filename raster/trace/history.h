@@ -62,6 +62,8 @@ struct HistoryEntry {
     const RecordedSetup* setup() const {
         return triangle.pieces.empty() || !triangle.pieces[0].setup ? nullptr : &*triangle.pieces[0].setup;
     }
+    /// As people count: "triangle 1" is the first.
+    std::string name() const { return "triangle " + std::to_string(triangle.number + 1); }
     /// The number of the piece among those of its triangle.
     int piece() const { return triangle.pieces.empty() ? 0 : triangle.pieces[0].project.piece; }
     /// Whether the centre lies exactly on edge i.

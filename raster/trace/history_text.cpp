@@ -27,8 +27,6 @@ std::string hex(const glm::vec4& color) {
 
 std::string numbers(const glm::vec3& v) { return format("(%.4g, %.4g, %.4g)", double(v.x), double(v.y), double(v.z)); }
 
-std::string name_of(const HistoryEntry& e) { return "triangle " + std::to_string(e.triangle.number + 1); }
-
 const char* symbol(Compare compare) {
     switch (compare) {
         case Compare::never: return "never";
@@ -91,21 +89,21 @@ public:
         const int lost = h_.count(PixelFate::lost), wrote = h_.count(PixelFate::wrote);
         std::string text = to_string(h_.verdict);
         switch (h_.verdict) {
-            case PixelVerdict::won: return text + ", " + name_of(*e) + " " + how_won(*e, lost, wrote);
+            case PixelVerdict::won: return text + ", " + e->name() + " " + how_won(*e, lost, wrote);
             case PixelVerdict::all_rejected:
                 return text + "(depth), " + std::to_string(lost) + " covered it and failed the depth test";
             case PixelVerdict::clipped:
-                return text + "(" + word_for(e->cut_by[0]) + "), " + name_of(*e) + " would be here";
-            case PixelVerdict::culled: return text + ", " + name_of(*e) + " would be here and faces the wrong way";
+                return text + "(" + word_for(e->cut_by[0]) + "), " + e->name() + " would be here";
+            case PixelVerdict::culled: return text + ", " + e->name() + " would be here and faces the wrong way";
             case PixelVerdict::never_covered:
-                return text + ", " + name_of(*e) + format(" comes nearest, %.2g pixels away; ", e->distance) +
+                return text + ", " + e->name() + format(" comes nearest, %.2g pixels away; ", e->distance) +
                        rejection(*e);
-            case PixelVerdict::nan: return text + ", " + name_of(*e) + " gave something that is not a number";
+            case PixelVerdict::nan: return text + ", " + e->name() + " gave something that is not a number";
             case PixelVerdict::background: break;
         }
         text += ", nothing is here";
         if (h_.nearest)
-            text += "; the nearest is " + name_of(*h_.nearest) + format(", %.4g pixels away", h_.nearest->distance);
+            text += "; the nearest is " + h_.nearest->name() + format(", %.4g pixels away", h_.nearest->distance);
         return text;
     }
 
