@@ -97,7 +97,8 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
     if (target.clear_is_pending() && blends)
         target.write_clear_box(tile_x * tile_size, tile_y * tile_size, tile_size, tile_size);
 
-    thread_local TileBuffer tile;
+    WorkspaceLoan loan(target.scratch().workspaces);
+    TileBuffer& tile = (*loan).tile;
     load_tile(tile, target, tile_x, tile_y);
     if constexpr (HasFragment<S>) {
         if (blends) {
@@ -113,8 +114,7 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
     restore_outside(tile, target, draw.limits);
     if constexpr (HasFragment<S>) {
         resolve_depth(tile, target, draw.state.depth_write, colors && output_count<S> - 4 >= target.extra_channels());
-        thread_local std::vector<ShadingPlanes<S>> planes;
-        if (colors) resolve_color(context, tile, target, planes);
+        if (colors) resolve_color(context, *loan, target);
     } else {
         resolve_depth(tile, target, draw.state.depth_write, false);
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <raster/tiles/shade.h>
-#include <raster/tiles/tile.h>
+#include <raster/tiles/workspace.h>
 
 namespace raster::tiles {
 
@@ -17,11 +17,13 @@ std::uint64_t pixels_in_target(const Target& target, int x, int y);
 std::uint64_t visible_pixels(const TileBuffer& tile, int block);
 std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot);
 
-/// Shades a tile's visible pixels. `planes` is memory to be used again for the next tile.
+/// Shades the visible pixels of the workspace's tile.
 template <HasFragment S>
-void resolve_color(const ShadingContext<S>& context, TileBuffer& tile, Target& target, std::vector<ShadingPlanes<S>>& planes) {
-    if (planes.size() < tile.slots.size()) planes.resize(tile.slots.size());
-    thread_local std::vector<char> ready;
+void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Target& target) {
+    const TileBuffer& tile = workspace.tile;
+    static_assert(std::is_trivially_copyable_v<ShadingPlanes<S>>);
+    const auto planes = workspace.planes.get<ShadingPlanes<S>>(tile.slots.size());
+    std::vector<char>& ready = workspace.ready;
     ready.assign(tile.slots.size(), 0);
     const auto shade = [&](int block, std::int32_t slot, std::uint64_t mask) {
         const std::size_t s = std::size_t(slot);

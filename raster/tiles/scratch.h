@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -60,15 +61,34 @@ struct ChunkBins {
     }
 };
 
+struct Workspace;
+
+/// The workspaces (workspace.h) of the threads that draw tiles: as many as were ever in use at once.
+class WorkspacePool {
+public:
+    WorkspacePool();
+    ~WorkspacePool();
+
+    std::unique_ptr<Workspace> take();
+    void give_back(std::unique_ptr<Workspace> workspace);
+    std::size_t bytes() const;
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::unique_ptr<Workspace>> free_;
+    std::size_t made_ = 0;
+};
+
 /// What a draw needs between its phases.
 struct Scratch {
     ScratchBuffer window, outcodes, varyings;
     std::vector<ChunkBins> chunks;
     std::vector<char> touched;
+    WorkspacePool workspaces;
 
     /// How much memory it holds.
     std::size_t bytes() const {
-        std::size_t sum = window.bytes() + outcodes.bytes() + varyings.bytes() + touched.capacity();
+        std::size_t sum = window.bytes() + outcodes.bytes() + varyings.bytes() + touched.capacity() + workspaces.bytes();
         for (const ChunkBins& c : chunks) sum += c.bytes();
         return sum;
     }
