@@ -50,8 +50,8 @@ has_x86_64_v3() {
     done
 }
 
-# configure_and_build PRESET [CMAKE-OPTION...]: into build/PRESET, quietly unless it fails.
-configure_and_build() {
+# configure PRESET [CMAKE-OPTION...]: of build/PRESET, quietly unless it fails.
+configure() {
     local preset=$1 log
     shift
     command -v ccache >/dev/null && set -- -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"
@@ -62,5 +62,16 @@ configure_and_build() {
         return 1
     fi
     rm -f "$log"
-    cmake --build --preset "$preset" -j "$(nproc)"
+}
+
+# build PRESET [OPTION...]: the options are those of `cmake --build`.
+build() {
+    local preset=$1
+    shift
+    cmake --build --preset "$preset" -j "$(nproc)" "$@"
+}
+
+# configure_and_build PRESET [CMAKE-OPTION...]
+configure_and_build() {
+    configure "$@" && build "$1"
 }

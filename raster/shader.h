@@ -113,6 +113,10 @@ template <class V>
 struct Mesh {
     std::span<const V> vertices;
     std::span<const std::uint32_t> indices = {};
+
+    constexpr Mesh() = default;
+    constexpr Mesh(std::span<const V> vertices, std::span<const std::uint32_t> indices = {})
+        : vertices(vertices), indices(indices) {}
 };
 template <class C>
 Mesh(const C&) -> Mesh<std::remove_cvref_t<decltype(*std::data(std::declval<const C&>()))>>;

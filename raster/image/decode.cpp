@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include <raster/image/bytes.h>
 #include <raster/image/file.h>
 #include <raster/image/png_reader.h>
 #include <raster/image/pnm.h>
@@ -14,8 +15,6 @@
 
 namespace raster {
 namespace {
-
-using File = std::span<const std::byte>;
 
 bool contains_at(File file, std::size_t position, std::string_view text) {
     return position <= file.size() && text.size() <= file.size() - position &&

@@ -86,7 +86,7 @@ struct Target {
     bool is_regular_or_new() const { return !old || S_ISREG(old->st_mode); }
 };
 
-std::string folder_of(const std::string& path) {
+std::string folder_holding(const std::string& path) {
     const std::string folder = fs::path(path).parent_path().string();
     return folder.empty() ? "." : folder;
 }
@@ -110,7 +110,7 @@ Result<Target> find_target(const std::string& path) {
         std::error_code failed;
         const fs::path next = fs::read_symlink(target.path, failed);
         if (failed) return target;
-        target.path = (fs::path(folder_of(target.path)) / next).string();
+        target.path = (fs::path(folder_holding(target.path)) / next).string();
     }
     return io_error(path, "cannot write", ELOOP);
 }
@@ -121,7 +121,7 @@ int open_temporary(const std::string& path, std::string& temporary_path) {
     for (int attempt = 0; attempt < 1000; ++attempt) {
         const std::string unique = std::to_string(::getpid()) + "-" + std::to_string(counter++);
         const std::string name = ".raster-" + unique + ".tmp";
-        temporary_path = (fs::path(folder_of(path)) / name).string();
+        temporary_path = (fs::path(folder_holding(path)) / name).string();
         const int fd = ::open(temporary_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (fd >= 0 || errno != EEXIST) return fd;
     }
@@ -158,7 +158,7 @@ Status replace(const std::string& path, const Target& target, std::span<const st
     Temporary temporary;
     std::string temporary_path;
     Descriptor file(open_temporary(target.path, temporary_path));
-    if (!file.is_open()) return io_error(path, "cannot write into " + folder_of(target.path), errno);
+    if (!file.is_open()) return io_error(path, "cannot write into " + folder_holding(target.path), errno);
     temporary.path = temporary_path;  // from here on it is ours to remove
     if (target.old) keep_owner_and_mode(file.get(), *target.old);
     if (!write_all(file.get(), bytes) || !synchronise(file.get()) || !file.close())
@@ -209,8 +209,8 @@ Status check_writable(const std::string& path) {
     };
     if (target->old && !may(target->path, W_OK)) return io_error(path, "cannot write", errno);
     // The slash makes a file in the folder's place an error.
-    if (target->is_regular_or_new() && !may(folder_of(target->path) + "/", W_OK | X_OK))
-        return io_error(path, "cannot write into " + folder_of(target->path), errno);
+    if (target->is_regular_or_new() && !may(folder_holding(target->path) + "/", W_OK | X_OK))
+        return io_error(path, "cannot write into " + folder_holding(target->path), errno);
     return Done{};
 }
 

@@ -22,7 +22,7 @@ using F = FloatN;
 using Weights = std::vector<float>;
 using enum FilterSymmetry;
 
-constexpr int tile_width = 256, tile_height = 128;
+constexpr int flip_tile_width = 256, flip_tile_height = 128;
 
 /// A plane of floats with as many rows as a filter needs, and row y where row y - ring_size was.
 class Ring {
@@ -170,7 +170,7 @@ void find_errors(const Filtered& expected, const Filtered& actual, int width, fl
 
 void fill_tile(const Display& expected_display, const Display& actual_display, const Filters& filters, int x0, int y0,
                ImageF& map) {
-    const int width = std::min(tile_width, map.width - x0), y1 = std::min(y0 + tile_height, map.height);
+    const int width = std::min(flip_tile_width, map.width - x0), y1 = std::min(y0 + flip_tile_height, map.height);
     const int radius = filters.radius();
     Filtered expected(expected_display, filters, x0, width), actual(actual_display, filters, x0, width);
     std::vector<float> errors(std::size_t(round_up(width, native_lanes))), scratch(errors.size());
@@ -193,9 +193,9 @@ void add_errors(const AnyImage& expected_image, const AnyImage& actual_image, co
     const Display expected(expected_image, background), actual(actual_image, background);
     const int radius = filters.radius();
     std::vector<std::pair<int, int>> corners;
-    for (int y = 0; y < map.height; y += tile_height)
-        for (int x = 0; x < map.width; x += tile_width)
-            if (cells.any_in(x - radius, y - radius, x + tile_width + radius, y + tile_height + radius))
+    for (int y = 0; y < map.height; y += flip_tile_height)
+        for (int x = 0; x < map.width; x += flip_tile_width)
+            if (cells.any_in(x - radius, y - radius, x + flip_tile_width + radius, y + flip_tile_height + radius))
                 corners.emplace_back(x, y);
     tiles::parallel_for(corners.size(), [&](std::size_t i) {
         fill_tile(expected, actual, filters, corners[i].first, corners[i].second, map);

@@ -16,7 +16,7 @@ namespace {
 using F = FloatN;
 
 constexpr int radius = 5, window = 2 * radius + 1;
-constexpr int tile_width = 256, tile_height = 64;
+constexpr int ssim_tile_width = 256, ssim_tile_height = 64;
 constexpr int ring = 16;  // rows kept: a power of two that holds a window
 
 std::vector<float> window_weights() {
@@ -34,11 +34,11 @@ std::vector<float> window_weights() {
 enum Plane { x, y, squares, product, planes };
 
 struct Scratch {
-    float source[planes][tile_width + 2 * radius];  ///< one row
-    float across[planes][ring][tile_width];         ///< rows weighted along x
-    float down[planes][tile_width];                 ///< the row weighted along both
+    float source[planes][ssim_tile_width + 2 * radius];  ///< one row
+    float across[planes][ring][ssim_tile_width];         ///< rows weighted along x
+    float down[planes][ssim_tile_width];                 ///< the row weighted along both
 };
-static_assert(tile_width % row_block == 0);
+static_assert(ssim_tile_width % row_block == 0);
 
 // Around the middle, so that squares stay small and lose fewer digits; SSIM's variances do not mind.
 constexpr float middle = 0.5f;
@@ -97,7 +97,7 @@ double sum_of_deficits(const Display& expected, const Display& actual, const Til
         const int center = row - radius;
         if (center < tile.y0) continue;
         go_to_row(center, width, weights, *scratch);
-        std::array<float, tile_width> deficits;
+        std::array<float, ssim_tile_width> deficits;
         for (int i = 0; i < width; i += native_lanes) store(deficits.data() + i, deficit(*scratch, i));
         for (int i = 0; i < width; ++i) {
             const bool counts = compared.empty() || *compared.pixel(tile.x0 + i, center) != 0;
@@ -120,9 +120,9 @@ double ssim_over(const AnyImage& expected_image, const AnyImage& actual_image, c
     const Centers columns(expected.width()), rows(expected.height());
 
     std::vector<Tile> all_tiles;
-    for (int y = rows.first; y < rows.last; y += tile_height)
-        for (int x = columns.first; x < columns.last; x += tile_width) {
-            const Tile tile{x, y, std::min(x + tile_width, columns.last), std::min(y + tile_height, rows.last)};
+    for (int y = rows.first; y < rows.last; y += ssim_tile_height)
+        for (int x = columns.first; x < columns.last; x += ssim_tile_width) {
+            const Tile tile{x, y, std::min(x + ssim_tile_width, columns.last), std::min(y + ssim_tile_height, rows.last)};
             if (cells.any_in(tile.x0 - radius, tile.y0 - radius, tile.x1 + radius, tile.y1 + radius))
                 all_tiles.push_back(tile);
         }

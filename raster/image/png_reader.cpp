@@ -13,19 +13,13 @@
 #include <string_view>
 #include <vector>
 
+#include <raster/image/bytes.h>
 #include <raster/image/malloc_block.h>
 
 namespace raster {
 namespace {
 
-using File = std::span<const std::byte>;
 using Byte = std::uint8_t;
-
-std::uint32_t big_endian_at(File file, std::size_t i) {
-    std::uint32_t value = 0;
-    for (std::size_t k = 0; k < 4; ++k) value = value << 8 | std::uint32_t(file[i + k]);
-    return value;
-}
 
 /// What the header says (PNG, 11.2.1), and where the compressed samples are.
 struct Contents {

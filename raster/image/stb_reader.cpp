@@ -11,6 +11,7 @@
 #include <new>
 #include <vector>
 
+#include <raster/image/bytes.h>
 #include <raster/image/malloc_block.h>
 
 namespace raster {
@@ -65,19 +66,6 @@ namespace raster {
 namespace {
 
 using Picture = std::variant<Image8, Image16>;
-using File = std::span<const std::byte>;
-
-std::uint32_t byte_at(File file, std::size_t i) { return i < file.size() ? std::uint32_t(file[i]) : 0; }
-std::uint32_t little_endian_at(File file, std::size_t i) {
-    std::uint32_t value = 0;
-    for (std::size_t k = 4; k-- > 0;) value = value << 8 | byte_at(file, i + k);
-    return value;
-}
-std::uint32_t big_endian_at(File file, std::size_t i) {
-    std::uint32_t value = 0;
-    for (std::size_t k = 0; k < 4; ++k) value = value << 8 | byte_at(file, i + k);
-    return value;
-}
 
 Error bad_input(const std::string& name, const std::string& why) {
     return {ErrorKind::bad_input, name + ": " + why};

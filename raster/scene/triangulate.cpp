@@ -17,7 +17,7 @@ glm::dvec3 vector_area(std::span<const glm::vec3> corners) {
 }
 
 /// A coordinate system across the polygon's normal, for polygons that are not flat.
-struct Plane {
+struct FacePlane {
     glm::dvec3 origin, u, v;  ///< u and v so long that all corners have coordinates from -2 to 2
     bool is_bent;
 
@@ -27,7 +27,7 @@ struct Plane {
     }
 };
 
-Plane make_plane(std::span<const glm::vec3> corners, const glm::dvec3& area) {
+FacePlane make_plane(std::span<const glm::vec3> corners, const glm::dvec3& area) {
     const double length = std::sqrt(glm::dot(area, area));
     if (!(length > 0)) return {};
     const glm::dvec3 n = area / length;
@@ -86,7 +86,7 @@ bool Triangulator::project() {
         u = 2, v = 0, chosen = area.y;
     }
     if (chosen < 0) std::swap(u, v);
-    const Plane plane = make_plane(corners_, area);
+    const FacePlane plane = make_plane(corners_, area);
 
     ring_.clear();
     const glm::vec3* last = &corners_.back();

@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error usage(const std::string& what) { return {ErrorKind::usage, what}; }
-
 /// Whether two names lead to one file, by whatever links.
 bool same_file(const std::string& a, const std::string& b) {
     std::error_code ignored;

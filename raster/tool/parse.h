@@ -14,7 +14,9 @@
 
 namespace raster::tool {
 
-// Errors are of kind usage. Their message quotes the text and says what would do: "'12x' is no size; ...".
+inline Error usage(const std::string& what) { return {ErrorKind::usage, what}; }
+
+// The errors below are of kind usage. Their message quotes the text and says what would do: "'12x' is no size; ...".
 
 /// A finite float in decimal: 1, -0.5, +3, 1e-3. The locale does not matter.
 Result<float> parse_number(std::string_view text);

@@ -41,8 +41,6 @@ std::string material_help() {
 
 namespace {
 
-Error usage(const std::string& what) { return {ErrorKind::usage, what}; }
-
 /// A key's value through its parser into its place; an error that names the key.
 template <class T, class Parsed>
 Status store(T& into, const std::string& key, Result<Parsed> parsed) {
