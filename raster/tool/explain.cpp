@@ -29,7 +29,7 @@ std::string describe(const DiffExplanation& e, std::size_t number) {
            hex(e.expected) + ", actual " + hex(e.actual) + "\n     pixel " + at + ": " + verdict_text(e.history) + "\n";
 }
 
-Json to_json(const DiffExplanation& e) {
+Json explanation_json(const DiffExplanation& e) {
     const PixelRect& box = e.cluster.box;
     Json json;
     json["cause"] = to_string(e.cause);
@@ -86,7 +86,7 @@ Result<Explained> explain(const ExplainFlags& flags, const Comparison& compariso
     Json json = Json::array();
     for (std::size_t i = 0; i < explanations->size(); ++i) {
         result.text += describe((*explanations)[i], i + 1);
-        json.push_back(to_json((*explanations)[i]));
+        json.push_back(explanation_json((*explanations)[i]));
     }
     if (clusters > explanations->size())
         result.text += "  and " + counted(std::int64_t(clusters - explanations->size()), "smaller cluster") + "\n";
