@@ -13,7 +13,7 @@
 namespace raster::tool {
 namespace {
 
-Error usage(std::string_view text, const std::string& what) { return {ErrorKind::usage, in_quotes(text) + " " + what}; }
+Error bad_value(std::string_view text, const std::string& what) { return {ErrorKind::usage, in_quotes(text) + " " + what}; }
 
 /// `count` numbers between commas.
 Result<std::vector<float>> parse_numbers(std::string_view text) {
@@ -80,16 +80,16 @@ Result<float> parse_number(std::string_view text) {
     if (digits.starts_with('+') && digits.size() > 1 && digits[1] != '-') digits.remove_prefix(1);
     float number = 0;
     const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (code == std::errc::result_out_of_range) return usage(text, "is beyond the range of a float");
-    if (code != std::errc() || end != digits.data() + digits.size()) return usage(text, "is no number");
-    if (!std::isfinite(number)) return usage(text, "is no finite number");
+    if (code == std::errc::result_out_of_range) return bad_value(text, "is beyond the range of a float");
+    if (code != std::errc() || end != digits.data() + digits.size()) return bad_value(text, "is no number");
+    if (!std::isfinite(number)) return bad_value(text, "is no finite number");
     return number;
 }
 
 Result<float> parse_number_within(std::string_view text, float low, float high) {
     Result<float> number = parse_number(text);
     if (number && !(*number >= low && *number <= high))
-        return usage(text, "is not from " + to_text(low) + " to " + to_text(high));
+        return bad_value(text, "is not from " + to_text(low) + " to " + to_text(high));
     return number;
 }
 
@@ -98,14 +98,14 @@ Result<int> parse_count(std::string_view text, int low, int high) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
     if (end != text.data() + text.size() || code == std::errc::invalid_argument)
-        return usage(text, "is no whole number " + range);
-    if (code != std::errc() || number < low || number > high) return usage(text, "is not " + range);
+        return bad_value(text, "is no whole number " + range);
+    if (code != std::errc() || number < low || number > high) return bad_value(text, "is not " + range);
     return int(number);
 }
 
 Result<glm::vec3> parse_vector(std::string_view text) {
     const Result<std::vector<float>> n = parse_numbers(text);
-    if (!n || n->size() != 3) return usage(text, "is not X,Y,Z: three finite numbers between commas");
+    if (!n || n->size() != 3) return bad_value(text, "is not X,Y,Z: three finite numbers between commas");
     return glm::vec3((*n)[0], (*n)[1], (*n)[2]);
 }
 
@@ -117,8 +117,8 @@ Result<glm::vec3> parse_direction(std::string_view text) {
     if (axis == "Y" || axis == "y") return glm::vec3(0, sign, 0);
     if (axis == "Z" || axis == "z") return glm::vec3(0, 0, sign);
     const Result<glm::vec3> v = parse_vector(text);
-    if (!v) return usage(text, "is no direction: give +X, -X, +Y, -Y, +Z, -Z or three numbers X,Y,Z");
-    if (*v == glm::vec3(0.0f)) return usage(text, "is no direction");
+    if (!v) return bad_value(text, "is no direction: give +X, -X, +Y, -Y, +Z, -Z or three numbers X,Y,Z");
+    if (*v == glm::vec3(0.0f)) return bad_value(text, "is no direction");
     return v;
 }
 
@@ -129,7 +129,7 @@ Result<glm::vec3> parse_color(std::string_view text) {
     }
     if (channels.size() == 1) channels.assign(3, channels[0]);
     if (channels.size() != 3 || std::ranges::any_of(channels, [](float c) { return c < 0; }))
-        return usage(text, "is no colour: give R,G,B of 0 and up, one number for a grey, or #RRGGBB");
+        return bad_value(text, "is no colour: give R,G,B of 0 and up, one number for a grey, or #RRGGBB");
     return glm::vec3(channels[0], channels[1], channels[2]);
 }
 
@@ -143,7 +143,7 @@ Result<glm::vec4> parse_background(std::string_view text) {
     if (channels.size() == 3) channels.push_back(1.0f);
     const auto beyond = [](float c) { return c < 0 || c > 1; };
     if (channels.size() != 4 || std::ranges::any_of(channels, beyond))
-        return usage(text, "is no background: give R,G,B or R,G,B,A from 0 to 1, #RRGGBB, #RRGGBBAA, or transparent");
+        return bad_value(text, "is no background: give R,G,B or R,G,B,A from 0 to 1, #RRGGBB, #RRGGBBAA, or transparent");
     return glm::vec4(channels[0], channels[1], channels[2], channels[3]);
 }
 
@@ -156,7 +156,7 @@ Result<Size> parse_size(std::string_view text) {
         const char* end = pieces[i].data() + pieces[i].size();
         const auto [stop, code] = std::from_chars(pieces[i].data(), end, sides[i]);
         if (stop != end || code == std::errc::invalid_argument)
-            return usage(text, "is no size: give WIDTHxHEIGHT in pixels, such as 800x600");
+            return bad_value(text, "is no size: give WIDTHxHEIGHT in pixels, such as 800x600");
         if (code != std::errc()) sides[i] = INT32_MAX;  // more digits than fit: too large whatever they are
         sides[i] = std::clamp<std::int64_t>(sides[i], INT32_MIN, INT32_MAX);
     }
@@ -172,7 +172,7 @@ Result<PixelRect> parse_rect(std::string_view text) {
         if (number) numbers.push_back(*number);
     }
     if (numbers.size() != 4 || split(text, ',').size() != 4 || numbers[2] < 1 || numbers[3] < 1)
-        return usage(text, "is no rectangle; expected X,Y,WIDTH,HEIGHT in pixels, as 10,20,64,32");
+        return bad_value(text, "is no rectangle; expected X,Y,WIDTH,HEIGHT in pixels, as 10,20,64,32");
     return PixelRect{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
@@ -185,7 +185,7 @@ Result<glm::ivec2> parse_pixel(std::string_view text) {
         pixel[i] = *number;
         if (i == 1) return pixel;
     }
-    return usage(text, "is no pixel; expected X,Y from 0, as 120,88");
+    return bad_value(text, "is no pixel; expected X,Y from 0, as 120,88");
 }
 
 std::string to_text(const Size& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
@@ -198,7 +198,7 @@ Result<Spec> parse_spec(std::string_view text) {
         if (equals == std::string_view::npos && first) {
             spec.name = piece;
         } else if (equals == std::string_view::npos || equals == 0 || equals + 1 == piece.size()) {
-            return usage(text, "has " + in_quotes(piece) + " where KEY=VALUE is expected");
+            return bad_value(text, "has " + in_quotes(piece) + " where KEY=VALUE is expected");
         } else {
             spec.values.emplace_back(piece.substr(0, equals), piece.substr(equals + 1));
         }
