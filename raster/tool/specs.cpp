@@ -107,7 +107,7 @@ struct LightForm {
     std::vector<std::string> keys;
 };
 
-const std::vector<LightForm>& kinds() {
+const std::vector<LightForm>& light_forms() {
     static const std::vector<LightForm> all = {
         {"head", LightKind::directional, {"color", "intensity"}},
         {"ambient", LightKind::ambient, {"color", "intensity"}},
@@ -143,9 +143,9 @@ Result<std::vector<Light>> parse_light(std::string_view text) {
     const Result<Spec> spec = parse_spec(text);
     if (!spec) return spec.error();
     std::vector<std::string> names;
-    for (const LightForm& kind : kinds()) names.emplace_back(kind.name);
-    const auto kind = std::ranges::find_if(kinds(), [&](const LightForm& k) { return k.name == spec->name; });
-    if (kind == kinds().end())
+    for (const LightForm& kind : light_forms()) names.emplace_back(kind.name);
+    const auto kind = std::ranges::find_if(light_forms(), [&](const LightForm& k) { return k.name == spec->name; });
+    if (kind == light_forms().end())
         return usage(in_quotes(text) + ": " + in_quotes(spec->name) + " is none of " + joined(names) +
                      did_you_mean(spec->name, names));
 
