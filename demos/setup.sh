@@ -8,8 +8,9 @@ model_packages=(glmark2-data assimp-testmodels)
 test_packages=(libgtest-dev libgmock-dev doxygen clang libclang-rt-14-dev libosmesa6-dev embree-tools
     python3-jsonschema)
 
-# The stepper page in a browser, and traces against their schema: by npm packages where there is npm, which brings node.
-if command -v npm >/dev/null; then
+# The stepper page in a browser, and traces against their schema: by npm packages where there is npm, which brings
+# node. (Ubuntu's chromium is no package of apt's.)
+if command -v npm >/dev/null && grep -qx 'ID=debian' /etc/os-release; then
     test_packages+=(chromium)
 else
     test_packages+=(nodejs node-ajv)

@@ -23,6 +23,7 @@ let opened = null;
 async function open(url, options = {}) {  // one at a time
     if (opened) await opened.close();
     const page = opened = await browser.newPage({ viewport: { width: 1400, height: 900 }, ...options });
+    page.setDefaultTimeout(180000);  // a machine may be busy
     page.on("console", message => ["error", "warning"].includes(message.type()) && trouble.push(message.text()));
     page.on("pageerror", error => trouble.push(error.message));
     page.on("request", request => {
