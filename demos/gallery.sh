@@ -48,7 +48,8 @@ shown() {
     fi
 }
 
-# picture NAME WxH CAPTION MODEL [FLAG...]: draws it; the small ones are a third as large.
+# picture NAME WxH CAPTION MODEL [FLAG...]: draws it; the small ones are two fifths as large. $before is a command that
+# was needed first.
 picture() {
     local name=$1 width=${2%x*} height=${2#*x} caption=$3 command="raster render" word
     shift 3
@@ -58,12 +59,23 @@ picture() {
             *) command+=" $word" ;;
         esac
     done
+    command=${command//"$data/"/}
+    [ -z "${before:-}" ] || command="$before && $command"
     [ -z "$small" ] || width=$((width * 2 / 5)) height=$((height * 2 / 5))
     "$raster" render "$@" --size "${width}x$height" -o "$folder/$name.png" --quiet
     shown "$name.png" "$width" "$caption" "$command"
 }
 
-# plot NAME CAPTION: commands for gnuplot on standard input; files are named from $data.
+# curve FILE ARGUMENT...: what raster_curves gives, in $data/FILE; sets $from to the command.
+curve() {
+    local file=$1
+    shift
+    from="raster_curves $*"
+    from=${from//"$data/"/}
+    "$curves" "$@" >"$data/$file"
+}
+
+# plot NAME CAPTION: commands for gnuplot on standard input; files are named from $data, and made by the command $from.
 plot() {
     {
         echo "set terminal svg size 560,340 font 'sans-serif,13' background '#ffffff'"
@@ -71,18 +83,31 @@ plot() {
         echo "set grid lc rgb '#dddddd'; set key bottom left; set style data lines"
         cat
     } | gnuplot
-    shown "$1.svg" 560 "$2" ""
+    shown "$1.svg" 560 "$2" "${from:+$from; plotted by gnuplot}"
 }
 
-# row_of Y MODEL [FLAG...]: the light along row Y of a picture 401 pixels wide and 401 high, one line a pixel:
-# its number from the left, red, green, blue.
-row_of() {
-    local y=$1 row=$((401 * 12))
+# floats_of FILE.pfm: the light of a picture of 401x401, one line a pixel: red, green, blue; the last row first.
+floats_of() { tail -c $((401 * 401 * 12)) "$1" | od -An -v -w12 -tf4; }
+
+# table FILE MATERIAL...: bakes a table $data/FILE, with flags of `raster brdf` among the materials; sets $before, and
+# $said to what the command says.
+table() {
+    local file=$1
     shift
+    before="raster brdf $* -o $file"
+    before=${before//"$data/"/}
+    said=$("$raster" brdf "$@" -o "$data/$file" 2>&1 | tail -1)
+}
+
+# row_of Y MODEL [FLAG...]: the light along row Y of a picture of 401x401, one line a pixel: its number from the left,
+# red, green, blue.
+row_of() {
+    local y=$1
+    shift
+    from="raster render $* --size 401x401 -o row.pfm"
     "$raster" render "$@" --size 401x401 -o "$data/row.pfm" --quiet
-    # A PFM file has its last row first, and ends with its first.
-    od -An -v -w12 -tf4 -j $(($(wc -c <"$data/row.pfm") - (y + 1) * row)) -N $row "$data/row.pfm" |
-        awk '{print NR - 1, $1, $2, $3}'
+    floats_of "$data/row.pfm" | awk -v first=$(((400 - y) * 401)) \
+        'NR > first && NR <= first + 401 {print NR - 1 - first, $1, $2, $3}'
 }
 
 # color_at X Y MODEL [FLAG...]: a pixel of a picture of 101x101 as "R G B", 0 to 255.

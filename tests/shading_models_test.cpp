@@ -1,5 +1,7 @@
 // The reflectance models against their textbook formulas, and what all of them promise.
+#include <algorithm>
 #include <cstring>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <raster/shading/models.h>
@@ -153,12 +155,32 @@ TEST(ReflectanceModels, AreFiniteNotNegativeAndDarkFromBelowForAllDirections) {
 
 TEST(ReflectanceModels, AreFoundByTheirNames) {
     const auto names = reflectance_names();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto found = find_reflectance(names[i]);
-        ASSERT_TRUE(found);
-        EXPECT_EQ(found->index(), i);
+    EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
+    for (const std::string_view name : names) {
+        const auto found = find_reflectance(name);
+        ASSERT_TRUE(found) << name;
+        const std::string_view model = std::visit([](const auto& m) { return std::string_view(m.name); }, *found);
+        EXPECT_TRUE(name.starts_with(model)) << name << " is a " << model;
     }
     EXPECT_FALSE(find_reflectance("phlogiston"));
+    EXPECT_TRUE(find_reflectance("measured")) << "one that needs data is found, not listed";
+    EXPECT_EQ(std::ranges::count(names, "measured"), 0);
+}
+
+TEST(ReflectanceModels, HaveFormsByNamesOfTheirOwn) {
+    const auto quarter = std::get<BlinnPhong>(*find_reflectance("blinn-phong-quarter"));
+    Material material;
+    material.shininess = 40;
+    const auto bound = quarter.with_material(material);
+    for (const double degrees : {5.0, 20.0, 40.0}) {
+        const auto l = at_degrees(2 * degrees);  // h is at `degrees`
+        EXPECT_NEAR(evaluate(bound, up, l, up).specular.x, std::pow(std::cos(degrees * 3.14159265358979 / 180), 10), 1e-5);
+    }
+    using Distribution = CookTorrance::Distribution;
+    EXPECT_EQ(std::get<CookTorrance>(*find_reflectance("cook-torrance-gaussian")).distribution, Distribution::gaussian);
+    EXPECT_EQ(std::get<CookTorrance>(*find_reflectance("cook-torrance")).distribution, Distribution::beckmann);
+    EXPECT_EQ(std::get<CookTorrance>(*find_reflectance("cook-torrance-pi")).denominator, CookTorrance::Denominator::pi);
+    EXPECT_EQ(std::get<Ward>(*find_reflectance("ward-1992")).form, Ward::Form::ward_1992);
 }
 
 TEST(ReflectanceModels, AreTheSameWhenChosenWhileRunning) {

@@ -53,6 +53,11 @@ std::size_t peak_bytes() {
     return std::size_t(usage.ru_maxrss) * 1024;
 }
 
+/// How many pixels something was drawn to.
+std::size_t drawn_pixels(const std::vector<std::uint32_t>& depth) {
+    return std::size_t(std::ranges::count_if(depth, [](std::uint32_t d) { return d != 0xffffff; }));
+}
+
 double median(std::vector<double> v) {
     std::sort(v.begin(), v.end());
     return v.empty() ? 0 : v[v.size() / 2];
@@ -72,7 +77,7 @@ json measure(const Options& options, const std::string& name, int width, int hei
         return row;
     }
     bench::Ours ours(*scene, width, height);
-    if (options.alone) {
+    if (options.alone || (!scene->reflectance.empty() && !bench::has_glsl(scene->reflectance))) {
         std::vector<double> times;
         for (int i = 0; i < options.warm_up; ++i) ours.frame();
         for (int i = 0; i < options.frames; ++i) times.push_back(milliseconds(options, [&] { ours.frame(); }));
@@ -80,6 +85,7 @@ json measure(const Options& options, const std::string& name, int width, int hei
         row["ours_median"] = median(times);
         row["scratch_bytes"] = ours.scratch_bytes();
         row["peak_bytes"] = peak_bytes();
+        row["drawn"] = drawn_pixels(ours.depth());
         return row;
     }
     bench::Rival rival(*scene, width, height);
@@ -104,6 +110,7 @@ json measure(const Options& options, const std::string& name, int width, int hei
         for (int shift = 0; shift < 32; shift += 8)
             largest = std::max(largest, std::abs(int(our_color[i] >> shift & 255) - int(rival_color[i] >> shift & 255)));
     }
+    row["drawn"] = drawn_pixels(our_depth);
     row["ours_best"] = *std::min_element(our_times.begin(), our_times.end());
     row["ours_median"] = median(our_times);
     row["rival_best"] = *std::min_element(rival_times.begin(), rival_times.end());
@@ -228,8 +235,8 @@ bool parse(int argc, char** argv, Options& options) {
 }
 
 void print_table(const json& rows) {
-    std::printf("%-18s %-42s %10s %2s %9s %9s %7s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms", "rival ms", "ratio",
-                "Mtri/s", "Mpix/s", "color max, depth pixels");
+    std::printf("%-25s %-42s %10s %2s %9s %9s %7s %9s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms", "rival ms",
+                "ratio", "Mtri/s", "Mpix/s", "drawn", "color max, depth pixels");
     double log_all = 0, log_rest = 0;
     int all = 0, rest = 0;
     for (const json& r : rows) {
@@ -240,9 +247,10 @@ void print_table(const json& rows) {
         const double ours = r["ours_best"], ratio = r.value("ratio", 0.0);
         const std::string name = r["scene"];
         const int w = r["width"], h = r["height"];
-        std::printf("%-18s %-42s %5dx%-4d %2d %9.2f %9.2f %7.2f %9.2f %9.1f  %d, %d\n", name.c_str(),
+        std::printf("%-25s %-42s %5dx%-4d %2d %9.2f %9.2f %7.2f %9.2f %9.1f %9.1f  %d, %d\n", name.c_str(),
                     r["what"].get<std::string>().c_str(), w, h, int(r["threads"]), ours, r.value("rival_best", 0.0), ratio,
-                    double(r["triangles"]) / ours / 1e3, w * h / ours / 1e3, r.value("largest_color_difference", 0),
+                    double(r["triangles"]) / ours / 1e3, w * h / ours / 1e3, r.value("drawn", 0.0) / ours / 1e3,
+                    r.value("largest_color_difference", 0),
                     r.value("depth_pixels_different", 0));
         if (ratio > 0) {
             log_all += std::log(ratio), ++all;

@@ -136,6 +136,12 @@ const char* const plain_fragment = R"(
 uniform vec4 color;
 void main() { gl_FragColor = color; })";
 
+const GlslModel* find_glsl(const std::string& name) {
+    const auto model = std::find_if(std::begin(glsl_models), std::end(glsl_models),
+                                    [&](const GlslModel& m) { return name == m.name; });
+    return model == std::end(glsl_models) ? nullptr : model;
+}
+
 unsigned compile(unsigned kind, const std::string& source, std::string& error) {
     const unsigned shader = glCreateShader(kind);
     const char* parts[] = {lighting, source.c_str()};
@@ -153,6 +159,8 @@ unsigned compile(unsigned kind, const std::string& source, std::string& error) {
 
 }  // namespace
 
+bool has_glsl(const std::string& reflectance) { return find_glsl(reflectance) != nullptr; }
+
 Rival::Rival(const Scene& scene, int width, int height)
     : scene_(scene), width_(width), height_(height), color_(std::size_t(width) * std::size_t(height)) {
     const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
@@ -167,10 +175,9 @@ Rival::Rival(const Scene& scene, int width, int height)
     std::string vertex = plain_vertex, fragment = plain_fragment;
     if (scene.shading == Shading::reflectance) {
         vertex = per_pixel_vertex;
-        const auto model = std::find_if(std::begin(glsl_models), std::end(glsl_models),
-                                        [&](const GlslModel& m) { return scene.reflectance == m.name; });
-        if (model == std::end(glsl_models)) {
-            error_ = "no GLSL for " + scene.reflectance + "; ours alone: --alone";
+        const GlslModel* model = find_glsl(scene.reflectance);
+        if (!model) {
+            error_ = "no GLSL for " + scene.reflectance;
             return;
         }
         fragment = std::string(reflectance_common) + model->function + reflectance_main;

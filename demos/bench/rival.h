@@ -9,6 +9,9 @@
 
 namespace bench {
 
+/// Whether there is GLSL for a reflectance model.
+bool has_glsl(const std::string& reflectance);
+
 /// One scene, size and context. The vertex arrays live in buffer objects; frame() goes from clear to finished pixels.
 /// LP_NUM_THREADS is read when the first context of a process is made: 0 rasterizes in the calling thread.
 class Rival {

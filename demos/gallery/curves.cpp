@@ -2,7 +2,7 @@
 //
 //   raster_curves fresnel
 //     angle in degrees; glass n = 1.5 from outside and from inside; red, green and blue of gold, copper and aluminium
-//   raster_curves lobes ANGLE NAME...
+//   raster_curves lobes ANGLE MATERIAL...
 //     light at that angle from the normal: the viewer's angle; of each material the red channel of diffuse + specular
 #include <cmath>
 #include <cstdio>
@@ -12,6 +12,7 @@
 
 #include <raster/shading/fresnel.h>
 #include <raster/shading/materials.h>
+#include <raster/shading/measured_table.h>
 #include <raster/shading/models.h>
 
 namespace {
@@ -39,29 +40,48 @@ int print_fresnel() {
     return 0;
 }
 
-/// NAME or NAME:ROUGHNESS of a substance; phong and blinn-phong with an exponent.
+/// NAME:KEY=VALUE:... of a substance or of a reflectance model, which then is all highlight; or brdf=FILE.
+bool read_material(std::string_view text, Material& material) {
+    const std::size_t colon = text.find(':');
+    const std::string_view name = text.substr(0, colon);
+    if (name.starts_with("brdf=")) {
+        const auto table = read_measured(std::string(name.substr(5)));
+        if (!table) return false;
+        material.measured = std::make_shared<const MeasuredTable>(*table);
+        material.reflectance = Measured::name;
+        material.diffuse = glm::vec3(1.0f);
+        return true;
+    }
+    if (const auto substance = find_material(name)) {
+        material = *substance;
+    } else {
+        material.reflectance = name;
+        material.diffuse = glm::vec3(0.0f);
+        material.specular = glm::vec3(1.0f);
+    }
+    for (std::size_t at = colon; at != text.npos; at = text.find(':', at + 1)) {
+        const std::string_view pair = text.substr(at + 1, text.find(':', at + 1) - at - 1);
+        const std::size_t equals = pair.find('=');
+        if (equals == pair.npos) return false;
+        const std::string_view key = pair.substr(0, equals);
+        const float value = float(std::atof(std::string(pair.substr(equals + 1)).c_str()));  // of colours, red
+        if (key == "roughness") material.roughness = value;
+        if (key == "shininess") material.shininess = value;
+        if (key == "diffuse") material.diffuse = glm::vec3(value);
+        if (key == "specular") material.specular = glm::vec3(value);
+    }
+    return bool(find_reflectance(material.reflectance));
+}
+
 int print_lobes(double light_angle, int count, char** names) {
     std::vector<std::pair<RuntimeModel, Material>> models;
     for (int i = 0; i < count; ++i) {
-        const std::string_view text = names[i];
-        const std::size_t colon = text.find(':');
-        const std::string_view name = text.substr(0, colon);
-        const float number = colon == text.npos ? 0.0f : float(std::atof(names[i] + colon + 1));
-        Material material = find_material(name).value_or(Material{});
-        if (material.reflectance.empty()) {
-            material.reflectance = name;
-            material.shininess = number;
-            material.diffuse = glm::vec3(0.0f);
-            material.specular = glm::vec3(1.0f);
-        } else if (number > 0) {
-            material.roughness = number;
-        }
-        const auto model = find_reflectance(material.reflectance);
-        if (!model) {
+        Material material;
+        if (!read_material(names[i], material)) {
             std::fprintf(stderr, "no material %s\n", names[i]);
             return 2;
         }
-        models.emplace_back(RuntimeModel{*model}.with_material(material), material);
+        models.emplace_back(RuntimeModel{*find_reflectance(material.reflectance)}.with_material(material), material);
     }
     for (int angle = -90; angle <= 90; ++angle) {
         std::printf("%d", angle);
@@ -82,6 +102,6 @@ int main(int argc, char** argv) {
     const std::string_view what = argc > 1 ? argv[1] : "";
     if (what == "fresnel") return print_fresnel();
     if (what == "lobes" && argc > 3) return print_lobes(std::atof(argv[2]), argc - 3, argv + 3);
-    std::fputs("usage: raster_curves fresnel | raster_curves lobes ANGLE NAME[:NUMBER]...\n", stderr);
+    std::fputs("usage: raster_curves fresnel | raster_curves lobes ANGLE MATERIAL...\n", stderr);
     return 2;
 }

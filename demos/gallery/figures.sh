@@ -20,6 +20,7 @@ figure L3 "Phong beside Blinn-Phong" \
     "Blinn takes the half vector h between light and viewer: (n h)^n. It turns half as fast as r, so that the same exponent gives a wider highlight, and an exponent four times as large gives about Phong's; the courses that divide by 4 have this in mind. With the light behind the viewer, r and v can be more than 90 degrees apart while n and h are not: there Phong's highlight ends, and Blinn's goes on."
 picture phong_30 300x300 "Phong, n = 30" "${ball[@]}" --material color=0.1,0.3,0.6:specular=0.5:shininess=30
 picture blinn_30 300x300 "Blinn-Phong, n = 30" shape:sphere --reflectance blinn-phong "${sun[@]}" --material color=0.1,0.3,0.6:specular=0.5:shininess=30
+picture blinn_quarter 300x300 "Blinn-Phong with (n h)^(alpha/4), alpha = 120" shape:sphere --reflectance blinn-phong-quarter "${sun[@]}" --material color=0.1,0.3,0.6:specular=0.5:shininess=120
 picture blinn_120 300x300 "Blinn-Phong, n = 120" shape:sphere --reflectance blinn-phong "${sun[@]}" --material color=0.1,0.3,0.6:specular=0.5:shininess=120
 low=(shape:plane --camera-position 0,2,3 --camera-focal-point 0,0,0 --camera-view-angle 36 --light directional:dir=0,-1.5,-1)
 picture low_phong 300x225 "The light at the viewer's back: Phong with n = 1 shows where r and v part" "${low[@]}" --reflectance phong --material color=0.2:specular=0.8:shininess=1
@@ -68,14 +69,17 @@ picture light_spot_falloff 450x300 "Spot, weakened by cos^20 of the angle" $scen
 picture three_spheres 500x300 "Three spheres on a floor under one point light" $scenes/three_spheres.json
 
 row_of 200 $scenes/irradiance.json >"$data/irradiance"
+"$raster" render $scenes/irradiance.json -o "$data/flux.pfm" --quiet
+flux=$(floats_of "$data/flux.pfm" | awk '{ sum += $1 } END { side = 40 * 0.24932800 / 401
+    printf "%.1f", sum * 3.14159265 * side * side }')
 figure L9 "Irradiance under a point light" \
-    "A point source of the intensity I (watts per steradian) gives a surface the irradiance E = I cos(theta) / r^2 (watts per square metre). A plane 2 m below a source of 4 W/sr, seen from above: the picture's light along its middle, and the closed form. As the plane is a white Lambertian reflector, the radiosity that is shown is E."
+    "A point source of the intensity I (watts per steradian) gives a surface the irradiance E = I cos(theta) / r^2 (watts per square metre). A white plane 2 m below a source of 4 W/sr, seen from above: a picture is radiance L (watts per square metre and steradian), and a Lambertian surface sends out the radiosity B = pi L. Of a white one that is E: pi L along the middle row, and the closed form. Of the radiant flux of 4 pi I = 50.3 W, what is seen of the plane, 9.97 m by 9.97 m, gets I times its solid angle: $flux W, added up over the pixels; 4 I atan(a^2 / (d sqrt(2 a^2 + d^2))) = 16.6 W by the closed form."
 picture irradiance 300x300 "The plane from above" $scenes/irradiance.json
-plot irradiance_curve "The light along the middle row, and I cos(theta) / r^2" <<GNUPLOT
+plot irradiance_curve "pi L along the middle row, and I cos(theta) / r^2" <<GNUPLOT
 set xlabel 'distance from the foot of the light, m'; set ylabel 'E, W/m^2'
 half = 20 * tan(14 * pi / 180)
 x(i) = (i - 200) / 200.5 * half
-plot [-5:5] '$data/irradiance' every 5 using (x(\$1)):2 with points pt 7 ps 0.35 lc rgb '#d95f02' title 'rendered', \
+plot [-5:5] '$data/irradiance' every 5 using (x(\$1)):(pi * \$2) with points pt 7 ps 0.35 lc rgb '#d95f02' title 'rendered', \
     4 * 2 / (x**2 + 4)**1.5 lc rgb '#1f4e9c' lw 1.5 title '4 cos(theta) / r^2'
 GNUPLOT
 

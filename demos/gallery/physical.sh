@@ -1,6 +1,6 @@
 # physical.sh: reflectance by physics, in the order of the lectures. Sourced by gallery.sh, after figures.sh.
 
-"$curves" fresnel >"$data/fresnel"
+curve fresnel fresnel
 figure R1 "Fresnel: how much a smooth boundary reflects" \
     "For a dielectric, Snell's law n1 sin(theta1) = n2 sin(theta2) gives the angle inside and Fresnel's equations the part that is reflected: 4 % of the light that meets glass head on, all of it at 90 degrees. From inside, everything beyond the critical angle of 41.8 degrees comes back. A conductor's index is complex, n + ik, and differs between the colours: that is the colour of gold and copper, which fades to white at grazing angles."
 plot fresnel_dielectric "Glass, n = 1.5" <<GNUPLOT
@@ -20,7 +20,7 @@ plot [0:90] [0.2:1.02] '$data/fresnel' using 1:4 lc rgb '#c00000' lw 2 title 'go
     '' using 1:12 lc rgb '#0000c0' dt 3 lw 2 title 'aluminium, blue'
 GNUPLOT
 
-"$curves" lobes 65 phong:20 blinn-phong:80 glazed-clay:0.3 >"$data/lobes"
+curve lobes lobes 65 phong:shininess=20 blinn-phong:shininess=80 glazed-clay:roughness=0.3
 figure R3 "Torrance-Sparrow: the highlight at grazing angles" \
     "Real highlights do not follow Phong: they are dull where one looks straight at a surface and bright at grazing angles, and there they peak beyond the mirror direction. Mirrors in grooves explain it: F G D / (4 (n l)(n v))."
 picture grazing_front 450x240 "Light from the front: Phong left, Torrance and Sparrow right" $scenes/grazing.json --light directional:dir=-0.5,-0.6,-1
@@ -32,10 +32,18 @@ plot [-90:90] '$data/lobes' using 1:2 lc rgb '#999999' lw 2 title 'Phong, n = 20
     '' using 1:4 lc rgb '#d95f02' lw 2 title 'Torrance-Sparrow, m = 0.3'
 GNUPLOT
 
+curve distributions lobes 40 cook-torrance:roughness=0.25 cook-torrance-gaussian:roughness=0.25 cook-torrance:roughness=0.5 \
+    cook-torrance-gaussian:roughness=0.5
 figure R4 "Cook-Torrance: metals" \
     "kd / pi + ks F G D / (4 pi (n l)(n v)) with Beckmann's distribution of slopes m. A pure conductor has kd = 0 and ks = 1, so that all its colour comes of Fresnel's equations with the measured index of each metal."
 picture metal_vases 800x260 "Gold, silver, copper, aluminium, iron" $scenes/metal_vases.json
 picture copper_vases 900x260 "Copper, m = 0.1, 0.2 ... 0.6" $scenes/copper_vases.json
+plot distributions "The two distributions of facets, nearly alike while m is small; light from 40 degrees" <<GNUPLOT
+set xlabel 'angle of the viewer, degrees'; set ylabel 'reflectance times cos(theta)'; set key top left
+plot [-90:90] '$data/distributions' using 1:2 lc rgb '#1f4e9c' lw 2 title 'Beckmann, m = 0.25', \
+    '' using 1:3 lc rgb '#d95f02' lw 2 dt 2 title 'Gaussian, m = 0.25', \
+    '' using 1:4 lc rgb '#1f4e9c' lw 1 title 'Beckmann, m = 0.5', '' using 1:5 lc rgb '#d95f02' lw 1 dt 2 title 'Gaussian, m = 0.5'
+GNUPLOT
 
 row_of 200 $scenes/clay_vases.json --camera-focal-point -1.1,0.95,0 --camera-position -1.1,0.95,16 --camera-view-angle 7 >"$data/lambert"
 row_of 200 $scenes/clay_vases.json --camera-focal-point 1.1,0.95,0 --camera-position 1.1,0.95,16 --camera-view-angle 7 >"$data/oren_nayar"
@@ -55,6 +63,52 @@ picture he_torrance 900x220 "Facet slope 0.05, 0.1, 0.2, 0.3, 0.4" $scenes/he_to
 figure R7 "Anisotropy: brushed metal, satin, velvet" \
     "Where a surface has a grain, its highlight turns with it. Each pair is one cylinder, upright and turned by 90 degrees under the same light; the grain runs upwards in both. Velvet has upright fibres and is bright at its outline from all sides."
 picture cylinders 960x210 "Brushed aluminium, satin, velvet: upright and turned" $scenes/cylinders.json
+
+figure R8 "Measured surfaces: tables" \
+    "Who does not trust a formula measures: a table has what a surface reflects for 90 half angles, 90 difference angles and 180 of their azimuths, times three colours, 4,374,000 numbers. The public MERL database has a hundred such files of real nickel, paint and felt; they are not in this tree, so the tables here are baked, in the same layout, of models that look like three of them, and read back as a downloaded file would be. The curves are what the tables give (points) beside the models that they were made of (lines), light from 45 degrees."
+table nickel.binary iron:roughness=0.18
+picture measured_nickel 300x225 "Like nickel: a metal's highlight" models/teapot.obj --material "brdf=$data/nickel.binary"
+table paint.binary plastic:diffuse=0.55,0.42,0.05:roughness=0.25
+picture measured_paint 300x225 "Like gold paint: colour below, a highlight above" models/teapot.obj --material "brdf=$data/paint.binary"
+table felt.binary velvet:diffuse=0.45,0.12,0.2:specular=0.35,0.25,0.3:roughness=0.7
+picture measured_felt 300x225 "Like pink felt: fibres" models/teapot.obj --material "brdf=$data/felt.binary"
+before=
+curve tables lobes 45 iron:roughness=0.18 plastic:diffuse=0.55,0.42,0.05:roughness=0.25 \
+    velvet:diffuse=0.45,0.12,0.2:specular=0.35,0.25,0.3:roughness=0.7 \
+    "brdf=$data/nickel.binary" "brdf=$data/paint.binary" "brdf=$data/felt.binary"
+plot measured_curve "Table against model, light from 45 degrees, red" <<GNUPLOT
+set xlabel 'angle of the viewer, degrees'; set ylabel 'reflectance times cos(theta)'; set key top left
+set logscale y
+plot [-90:90] [0.005:30] '$data/tables' using 1:2 lc rgb '#666666' lw 1.5 title 'nickel: model', \
+    '' using 1:3 lc rgb '#d9a400' lw 1.5 title 'paint: model', '' using 1:4 lc rgb '#c0408a' lw 1.5 title 'felt: model', \
+    '' using 1:5 every 4 with points pt 7 ps 0.4 lc rgb '#666666' title 'tables', \
+    '' using 1:6 every 4 with points pt 7 ps 0.4 lc rgb '#d9a400' notitle, \
+    '' using 1:7 every 4 with points pt 7 ps 0.4 lc rgb '#c0408a' notitle
+GNUPLOT
+
+set_of=(plastic:diffuse=0.1,0.3,0.6:roughness=0.15 plastic:roughness=0.1 plastic:diffuse=0.05,0.4,0.1:roughness=0.3
+    rubber paper:diffuse=0.8 clay plaster moon glazed-clay gold copper silver:roughness=0.2 iron velvet marble skin)
+figure R9 "Measured surfaces: principal components" \
+    "Tables are too large to be kept and all too much alike to need it. The 16 of this set (plastics, metals, matt things, velvet, marble, skin) span a space whose principal components are found by Eigen, in the logarithm of reflectance; a table becomes its share of each component. The first of the set, blue plastic, from 1, 2, 4 and 8 of the 15 components and as it is: with few the highlight is a compromise of all the set. The error is counted in reflectance and the components in its logarithm, so that it falls on the whole but not with each."
+: >"$data/components"
+for k in 0 1 2 3 4 5 6 8 10 12 15; do
+    table few.binary "${set_of[@]}" --table-size 60x60x60 --components $k
+    echo "$k $said" | sed 's/ [^ ]*few.binary.* components with / /; s/ of the variance, relative error / /' >>"$data/components"
+    case $k in
+        1 | 2 | 4 | 8)
+            picture components_$k 240x180 "k = $k" models/teapot.obj --material "brdf=$data/few.binary"
+            ;;
+    esac
+done
+table whole.binary "${set_of[0]}" --table-size 60x60x60
+picture components_all 240x180 "The table" models/teapot.obj --material "brdf=$data/whole.binary"
+before=
+from="raster brdf ${set_of[*]} --table-size 60x60x60 --components K -o few.binary, for each K"
+plot components_curve "The variance of the set that k components keep, and the error of the first table" <<GNUPLOT
+set xlabel 'components'; set ylabel 'part'; set key center right
+plot [0:15] [0:*] '$data/components' using 1:2 with linespoints pt 7 ps 0.5 lc rgb '#1f4e9c' lw 2 title 'variance kept', \
+    '' using 1:3 with linespoints pt 7 ps 0.5 lc rgb '#d95f02' lw 2 title 'relative error'
+GNUPLOT
 
 figure R10 "Light below the surface" \
     "Marble and skin let light in, which comes out again elsewhere. Jensen's BSSRDF, taken as a BRDF under even light, is F Rd / pi plus single scattering: it softens the terminator and whitens the outline. What a BRDF cannot show, light that leaves at another place than where it came in, is missing: shadows do not bleed and thin parts do not glow."

@@ -18,6 +18,9 @@ struct BlinnPhong {
     };
     static constexpr std::string_view name = "blinn-phong";
     static constexpr bool specialised = true;
+    static auto forms() {
+        return std::array{NamedForm<BlinnPhong>{"blinn-phong-quarter", {32.0f, Exponent::quarter_alpha}}};
+    }
 
     float exponent = 32.0f;  ///< shininess alpha, 0 and up
     Exponent convention = Exponent::alpha;

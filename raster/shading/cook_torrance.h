@@ -13,6 +13,13 @@ struct CookTorrance {
     /// up to four times what it gets.
     enum class Denominator { four_pi, pi };
     static constexpr std::string_view name = "cook-torrance";
+    static auto forms() {
+        CookTorrance gaussian, over_pi;
+        gaussian.distribution = Distribution::gaussian;
+        over_pi.denominator = Denominator::pi;
+        using Form = NamedForm<CookTorrance>;
+        return std::array{Form{"cook-torrance-gaussian", gaussian}, Form{"cook-torrance-pi", over_pi}};
+    }
 
     Fresnel fresnel;
     float m = 0.2f;  ///< root mean square slope of the facets, 0.01 to 1: 0.1 is glossy, 0.6 dull

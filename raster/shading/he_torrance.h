@@ -39,7 +39,7 @@ struct HeTorrance {
         const F effective2 = he_torrance::effective_roughness(n_l, n_v, shape) * (sigma * sigma);
         const float cos_source = float(sin_cos_degrees(source_degrees).cos);
         const float solid_angle = 6.2831853f * max(1.0f - cos_source, 1e-7f);
-        const F mirrored = F(2) * h.n_l * h.n_v - (F(2) * h.v_h * h.v_h - 1.0f);  // r v
+        const F mirrored = F(2) * h.n_l * h.n_v - glm::dot(l, frame.v);  // r v
         const Mask<F> in_mirror = mirrored >= F(cos_source);
 
         vec<3, F> reflected = fresnel(h.v_h);

@@ -44,8 +44,9 @@ inline F effective_roughness(F n_l, F n_v, float shape) {
     return F(1) / (F(1) + w);
 }
 
-/// Beyond this g the series is replaced by the first two terms of its expansion for large g, within 1 % of its peak.
-inline constexpr float large_g = 16.0f;
+/// Beyond this g the series is replaced by the first four terms of its expansion for large g, within 0.02 % of its peak:
+/// the mean of exp(-spread / m) / m over m of Poisson's distribution, by the moments of that.
+inline constexpr float large_g = 20.0f;
 
 /// The sum over m = 1, 2, ... of g^m exp(-g) / (m! m) exp(-spread / m), for g and spread >= 0. `g_max`: no g is above it
 /// in any lane.
@@ -62,8 +63,12 @@ inline F scattering(F g, F spread, float g_max) {
     }
     if (g_max <= large_g) return series;
     const F many = max(g, F(large_g)), t = spread / many;
-    const F second = F(1) + (t * t - t * 4.0f + 2.0f) / (many * 2.0f);
-    return select(g > F(large_g), raster::exp(-t) / many * second, series);
+    const F per_g = F(1) / many;
+    const F second = (t - 4.0f) * t + 2.0f;
+    const F third = (((t * 0.125f - 11.0f / 6) * t + 7.5f) * t - 9.0f) * t + 2.0f;
+    const F fourth = (((((t * (1.0f / 48) - 2.0f / 3) * t + 22.0f / 3) * t - 34.0f) * t + 65.5f) * t - 44.0f) * t + 6.0f;
+    const F bent = ((fourth * per_g + third) * per_g + second * 0.5f) * per_g + 1.0f;
+    return select(g > F(large_g), raster::exp(-t) * per_g * bent, series);
 }
 
 }  // namespace raster::he_torrance

@@ -59,18 +59,26 @@ extern template Reflectance<float> RuntimeModel::evaluate(const Frame<float>&, c
 extern template Reflectance<FloatN> RuntimeModel::evaluate(const Frame<FloatN>&, const vec<3, FloatN>&) const;
 
 namespace detail {
+template <class M, class Visit>
+inline void for_each_form(const Visit& visit) {
+    visit(M::name, M{});
+    if constexpr (requires { M::forms(); })
+        for (const NamedForm<M>& form : M::forms()) visit(form.name, form.model);
+}
+/// Calls visit(name, model) for every model and every form of it, in the order of the list.
 template <class Visit, std::size_t... I>
 inline void for_each_model(const Visit& visit, std::index_sequence<I...>) {
-    (visit(std::variant_alternative_t<I, AnyReflectance>{}), ...);
+    (for_each_form<std::variant_alternative_t<I, AnyReflectance>>(visit), ...);
 }
 inline constexpr auto model_indices = std::make_index_sequence<std::variant_size_v<AnyReflectance>>{};
 }  // namespace detail
 
-/// The names of the models that one can ask for, in the order of the list; without those that need data.
+/// The names of the models that one can ask for and of their forms, in the order of the list; without those that need
+/// data.
 inline std::vector<std::string_view> reflectance_names() {
     std::vector<std::string_view> names;
-    const auto add = [&]<class M>(const M&) {
-        if (!needs_data<M>()) names.push_back(M::name);
+    const auto add = [&]<class M>(std::string_view name, const M&) {
+        if (!needs_data<M>()) names.push_back(name);
     };
     detail::for_each_model(add, detail::model_indices);
     return names;
@@ -79,8 +87,8 @@ inline std::vector<std::string_view> reflectance_names() {
 /// The model of that name with its default parameters, also of one that needs data; nothing when there is none.
 inline std::optional<AnyReflectance> find_reflectance(std::string_view name) {
     std::optional<AnyReflectance> found;
-    const auto look = [&](const auto& model) {
-        if (model.name == name) found = model;
+    const auto look = [&](std::string_view form, const auto& model) {
+        if (form == name) found = model;
     };
     detail::for_each_model(look, detail::model_indices);
     return found;

@@ -11,6 +11,7 @@ namespace raster {
 /// in brightness, like the full moon's disc.
 struct OrenNayar {
     static constexpr std::string_view name = "oren-nayar";
+    static constexpr bool specialised = true;
 
     float sigma = 0.5f;  ///< standard deviation of the facets' slope angle in radians, 0 to pi/2
 

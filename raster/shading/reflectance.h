@@ -4,6 +4,7 @@
 // registers, which costs a fifth of the time of a shaded pixel.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <string_view>
 
@@ -40,6 +41,7 @@ struct Reflectance {
 ///         static constexpr bool specialised = true;                // optional: a pixel shader of its own, inlined; for
 ///                                                                  // models that cost less than a call
 ///         static constexpr bool needs_data = true;                 // optional: black without what a material brings
+///         static auto forms();                                     // optional: a std::array of NamedForm<Lambert>
 ///         float exponent = 32;                                     // parameters are members
 ///         Lambert with_material(const Material& material) const;   // a copy with what an MTL file says of them
 ///         template <class F>
@@ -53,6 +55,13 @@ concept ReflectanceModel = requires(const M m, const Frame<float> frame, const v
     { M::name } -> std::convertible_to<std::string_view>;
     { m.with_material(material) } -> std::same_as<M>;
     { m.evaluate(frame, l) } -> std::same_as<Reflectance<float>>;
+};
+
+/// Another form of a model, with a name of its own on the command line.
+template <class M>
+struct NamedForm {
+    std::string_view name;
+    M model;
 };
 
 /// Whether a model reads the tangents.

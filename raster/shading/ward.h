@@ -16,6 +16,7 @@ struct Ward {
     };
     static constexpr std::string_view name = "ward";
     static constexpr bool anisotropic = true;
+    static auto forms() { return std::array{NamedForm<Ward>{"ward-1992", {0.4f, 0.1f, Form::ward_1992}}}; }
 
     float along = 0.4f;   ///< slope of the facets along t, 0.01 to 1
     float across = 0.1f;  ///< slope across, 0.01 to 1. Brush marks run along t and are smooth that way: along < across

@@ -148,12 +148,28 @@ const JsonNode* JsonNode::find(std::string_view key) const {
     return nullptr;
 }
 
+/// Words of the file may be in a message; control characters must not reach a terminal.
+static std::string printable(const std::string& text) {
+    constexpr char hex[] = "0123456789abcdef";
+    std::string out;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) {
+            out += {'\\', 'x', hex[byte >> 4], hex[byte & 15]};
+        } else {
+            out += c;
+        }
+    }
+    return out;
+}
+
 Error JsonDocument::error_at(std::size_t place, const std::string& what) const {
     const std::string_view before = std::string_view(text).substr(0, place);
     const auto line = 1 + std::ranges::count(before, '\n');
     const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
     return {ErrorKind::bad_input, path + ":" + std::to_string(line) + ":" +
-                                      std::to_string(before.size() - line_start + 1) + ": " + what};
+                                      std::to_string(before.size() - line_start + 1) + ": " +
+                                      printable(what)};
 }
 
 Result<JsonDocument> parse_json(std::string path, std::string text) {

@@ -1,10 +1,12 @@
 // opengl_picture.cpp: uniforms, vertex arrays and draw calls.
 #include "opengl_picture.h"
 
+#include <map>
 #include <optional>
 
 #include <raster/scene/draw_plan.h>
 
+#include "opengl_models.h"
 #include "opengl_shaders.h"
 
 namespace raster::tool {
@@ -34,15 +36,6 @@ private:
     unsigned program_;
 };
 
-/// The number that the GLSL shaders have for a reflectance model, and its exponent; nothing for those they do not have.
-std::optional<std::pair<int, float>> reflectance_in_glsl(const AnyReflectance& reflectance) {
-    if (std::holds_alternative<Lambert>(reflectance)) return std::pair{0, 0.0f};
-    if (const auto* phong = std::get_if<Phong>(&reflectance)) return std::pair{1, phong->exponent};
-    if (const auto* blinn = std::get_if<BlinnPhong>(&reflectance))
-        return std::pair{2, blinn->convention == BlinnPhong::Exponent::alpha ? blinn->exponent : blinn->exponent / 4};
-    return std::nullopt;
-}
-
 void set_uniforms(OpenGl& gl, const Uniforms& to, const PlannedDraw& draw) {
     const ShadingUniforms& u = draw.uniforms;
     to.set("clip_from_object", u.clip_from_object);
@@ -51,6 +44,7 @@ void set_uniforms(OpenGl& gl, const Uniforms& to, const PlannedDraw& draw) {
     to.set("viewer", u.viewer_eye);
     to.set("two_sided", int(u.two_sided));
     to.set("frequency", int(draw.frequency));
+    to.set("grain", u.grain_eye);
     to.set("light_ambient", u.ambient);
     to.set("light_count", int(u.lights.size()));
     for (std::size_t i = 0; i < u.lights.size(); ++i) {
@@ -63,7 +57,8 @@ void set_uniforms(OpenGl& gl, const Uniforms& to, const PlannedDraw& draw) {
         to.set(name + "direction", light.direction_eye);
         to.set(name + "attenuation", glm::vec3(light.attenuation.c1, light.attenuation.c2, light.attenuation.c3));
         to.set(name + "cos_cutoff", light.cos_cutoff);
-        to.set(name + "exponent", light.falloff_exponent);
+        to.set(name + "falloff", light.falloff_exponent);
+        to.set(name + "inverse_square", int(light.inverse_square));
     }
     const SurfaceMaterial& m = u.material;
     to.set("ambient_color", m.ambient);
@@ -112,21 +107,27 @@ Result<OpenGlPicture> render_by_opengl(OpenGl& gl, const Model& model, const Cam
     if (options.lights.size() > max_lights)
         return Error{ErrorKind::usage, "at most 8 lights can be compared with OpenGL"};
     if (const Status status = gl.begin(width, height, options.background); !status) return status.error();
-    const std::string version = "#version 130\n";
-    const Result<unsigned> program =
-        gl.program(version + glsl::lighting + glsl::vertex_main, version + glsl::lighting + glsl::fragment_main,
-                   {"position", "color", "uv", "normal", "face_a", "face_b", "face_c"});
-    if (!program) return program.error();
-    bool known = true;
+    std::map<std::string, Result<unsigned>> programs;  // by the reflectance model's source
+    std::optional<Error> error;
     DrawPlan(model, options, false).for_each(camera, [&](const PlannedDraw& draw) {
-        gl.apply(draw.state);
-        const Uniforms uniforms(gl, *program);
-        set_uniforms(gl, uniforms, draw);
         const auto reflectance = reflectance_in_glsl(draw.reflectance);
-        known = known && reflectance;
-        const auto [number, exponent] = reflectance.value_or(std::pair{0, 0.0f});
-        uniforms.set("model", number);
-        uniforms.set("shininess", exponent);
+        if (!reflectance) error = Error{ErrorKind::usage, "a measured reflectance is not known in GLSL"};
+        if (error) return;
+        const auto [place, is_new] = programs.try_emplace(reflectance->source, 0u);
+        if (is_new) {
+            const std::string head = "#version 130\n" + reflectance->source + glsl::lighting;
+            place->second = gl.program(head + glsl::vertex_main, head + glsl::fragment_main,
+                                       {"position", "color", "uv", "normal", "face_a", "face_b", "face_c"});
+        }
+        if (!place->second) {
+            error = place->second.error();
+            return;
+        }
+        gl.apply(draw.state);
+        const Uniforms uniforms(gl, *place->second);
+        set_uniforms(gl, uniforms, draw);
+        for (const auto& [name, value] : reflectance->uniforms)
+            std::visit([&](const auto& number) { uniforms.set(name, number); }, value);
         const std::vector<Corner> corners = corners_of(draw);
         if (corners.empty()) return;
         const Corner& first = corners[0];
@@ -141,8 +142,7 @@ Result<OpenGlPicture> render_by_opengl(OpenGl& gl, const Model& model, const Cam
         }
         gl.DrawArrays(modes[corner_count(draw.state.topology) - 1], 0, int(corners.size()));
     });
-    if (!known)
-        return Error{ErrorKind::usage, "of the reflectance models only lambert, phong and blinn-phong are known in GLSL"};
+    if (error) return *error;
     return gl.end();
 }
 

@@ -3,21 +3,21 @@
 
 namespace raster::tool::glsl {
 
-// One sum of light for all three frequencies. The formulas are those of the lectures: r = 2 (n l) n - l, h = (l + v) /
-// |l + v|.
+// One sum of light for all three frequencies. reflect_light is the reflectance model's (opengl_models.cpp).
 inline constexpr const char* lighting = R"(
 struct Light {
     int kind;  // 1 directional, 2 point, 3 spot
     vec3 diffuse, specular, position, direction, attenuation;
-    float cos_cutoff, exponent;
+    float cos_cutoff, falloff;
+    bool inverse_square;
 };
 uniform Light lights[8];
-uniform int light_count, model;  // 0 Lambert, 1 Phong, 2 Blinn-Phong
-uniform float shininess;
+uniform int light_count;
 uniform vec4 viewer;
+uniform vec3 grain;
 
 void illuminate(vec3 n, vec3 p, out vec3 diffuse, out vec3 specular) {
-    vec3 v = normalize(viewer.xyz - p * viewer.w);
+    vec3 v = normalize(viewer.xyz - p * viewer.w), t = normalize(grain - n * dot(n, grain)), b = cross(n, t);
     diffuse = specular = vec3(0.0);
     for (int i = 0; i < light_count; ++i) {
         vec3 l = -lights[i].direction;
@@ -26,17 +26,16 @@ void illuminate(vec3 n, vec3 p, out vec3 diffuse, out vec3 specular) {
             vec3 to_light = lights[i].position - p;
             float d = length(to_light);
             l = to_light / d;
-            strength = min(1.0 / dot(lights[i].attenuation, vec3(1.0, d, d * d)), 1.0);
+            strength = lights[i].inverse_square ? 1.0 / (d * d)
+                                                : min(1.0 / dot(lights[i].attenuation, vec3(1.0, d, d * d)), 1.0);
             float along = dot(-l, lights[i].direction);
-            if (lights[i].kind == 3) strength *= along >= lights[i].cos_cutoff ? pow(along, lights[i].exponent) : 0.0;
+            if (lights[i].kind == 3) strength *= along >= lights[i].cos_cutoff ? pow(along, lights[i].falloff) : 0.0;
         }
-        float n_l = dot(n, l);
-        if (n_l <= 0.0) continue;
-        diffuse += lights[i].diffuse * n_l * strength;
-        if (model == 0) continue;
-        vec3 r = 2.0 * n_l * n - l;
-        float c = model == 1 ? dot(r, v) : dot(n, normalize(l + v));
-        if (c > 0.0) specular += lights[i].specular * pow(c, shininess) * strength;
+        if (dot(n, l) <= 0.0) continue;
+        vec3 light_diffuse, light_specular;
+        reflect_light(n, v, t, b, l, light_diffuse, light_specular);
+        diffuse += lights[i].diffuse * light_diffuse * strength;
+        specular += lights[i].specular * light_specular * strength;
     }
 }
 )";

@@ -81,8 +81,11 @@ bool is_scene(const std::string& path) { return path.ends_with(".json") || path.
 Result<SceneFile> SceneFile::read(const std::string& path) {
     const Result<Bytes> bytes = read_file(path, max_scene_bytes);
     if (!bytes) return bytes.error();
-    Result<JsonDocument> parsed =
-        parse_json(path, std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+    return parse(path, std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+}
+
+Result<SceneFile> SceneFile::parse(const std::string& path, std::string text) {
+    Result<JsonDocument> parsed = parse_json(path, std::move(text));
     if (!parsed) return parsed.error();
     SceneFile scene;
     scene.document_ = std::make_shared<const JsonDocument>(std::move(*parsed));

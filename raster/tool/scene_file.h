@@ -22,6 +22,8 @@ bool is_scene(const std::string& path);
 class SceneFile {
 public:
     static Result<SceneFile> read(const std::string& path);
+    /// The same of a text; `path` is where other files are looked for, and stands in messages.
+    static Result<SceneFile> parse(const std::string& path, std::string text);
 
     /// Sets the flags of a command, parsed already, that the scene speaks of and the command line does not. Flags that
     /// the command does not have are passed over.

@@ -86,7 +86,20 @@ private:
     Result<MaterialChange> read_material(const JsonNode& node) const {
         if (node.is(Kind::text))
             if (const auto named = materials_.find(node.text); named != materials_.end()) return named->second;
-        return read_spec(document_, node, "name", parse_material);
+        const auto find = [&](const std::string& name) { return find_file(name); };
+        const auto parse = [&](std::string_view text) { return parse_material_finding(text, find); };
+        return read_spec(document_, node, "name", parse);
+    }
+
+    /// The path of a file beside the scene, for messages as the scene was named. The error is a text for them.
+    Result<std::string> find_file(const std::string& name) const {
+        if (const auto found = finder_.find(name, finder_.folder()); !found) {
+            const std::string& why = found.error().message;
+            const bool outside = why.starts_with("refused: leads out");
+            const char* const refused = "refused: leads out of the scene's folder; see --allow-outside";
+            return Error{found.error().kind, name + ": " + (outside ? refused : why)};
+        }
+        return (std::filesystem::path(document_.path).parent_path() / name).string();
     }
 
     Status add(const JsonNode& object) {
@@ -126,19 +139,14 @@ private:
     Result<Model> load_file(const JsonNode& node) {
         if (!node.is(Kind::text)) return at(node, "here the name of a model file is expected");
         if (const auto known = files_.find(node.text); known != files_.end()) return known->second;
-        if (const auto found = finder_.find(node.text, finder_.folder()); !found) {
-            const std::string& why = found.error().message;
-            const bool outside = why.starts_with("refused: leads out");
-            const char* const refused = "refused: leads out of the scene's folder; see --allow-outside";
-            return at(node, node.text + ": " + (outside ? refused : why));
-        }
-        const std::string path = (std::filesystem::path(document_.path).parent_path() / node.text).string();
+        const Result<std::string> path = find_file(node.text);
+        if (!path) return at(node, path.error().message);
         ObjOptions options = options_;
         options.progress = [&](double part) {
             if (options_.progress) options_.progress((double(done_) + part) / double(count_));
         };
         LoadReport report;
-        Result<Model> model = load_obj(path, options, report);
+        Result<Model> model = load_obj(*path, options, report);
         add_to(report_, report);
         if (!model) return model;
         // Textures are named from the scene's folder, as the model's names are.

@@ -62,8 +62,10 @@ Result<LightSpace> parse_space(std::string_view text) {
     return usage(in_quotes(text) + " is none of world, eye");
 }
 
-Result<std::shared_ptr<const MeasuredTable>> read_brdf(const std::string& path) {
-    Result<MeasuredTable> table = read_measured(path);
+Result<std::shared_ptr<const MeasuredTable>> read_brdf(const std::string& name, const FindFile& find) {
+    const Result<std::string> path = find(name);
+    if (!path) return path.error();
+    Result<MeasuredTable> table = read_measured(*path);
     if (!table) return table.error();
     return std::make_shared<const MeasuredTable>(std::move(*table));
 }
@@ -219,6 +221,10 @@ void MaterialChange::apply_to(Material& m) const {
 }
 
 Result<MaterialChange> parse_material(std::string_view text) {
+    return parse_material_finding(text, [](const std::string& name) { return name; });
+}
+
+Result<MaterialChange> parse_material_finding(std::string_view text, const FindFile& find) {
     const Result<Spec> spec = parse_spec(text);
     if (!spec) return spec.error();
     MaterialChange change;
@@ -255,7 +261,7 @@ Result<MaterialChange> parse_material(std::string_view text) {
         std::vector<std::string> known = {"reflectance", "brdf"};
         bool found = key == "reflectance" || key == "brdf";
         if (key == "reflectance") status = store(change.reflectance, key, parse_reflectance_name(value));
-        if (key == "brdf") status = store(change.brdf, key, read_brdf(value));
+        if (key == "brdf") status = store(change.brdf, key, read_brdf(value, find));
         for (const auto& [name, member] : colors) {
             known.push_back(name);
             if (name != key) continue;

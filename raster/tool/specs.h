@@ -1,6 +1,7 @@
 // specs.h: lights and materials as one word on the command line: point:pos=0,2,1:intensity=0.8.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,9 @@ struct MaterialChange {
     void apply_to(Material& material) const;
 };
 Result<MaterialChange> parse_material(std::string_view text);
+/// The same where `find` makes the path to open out of the name of a table's file.
+using FindFile = std::function<Result<std::string>(const std::string& name)>;
+Result<MaterialChange> parse_material_finding(std::string_view text, const FindFile& find);
 std::string material_help();
 
 }  // namespace raster::tool
