@@ -80,7 +80,7 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
 bool synchronise(int fd) { return ::fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS; }
 
 /// Where the bytes of a write shall end up.
-struct Target {
+struct Destination {
     std::string path;                  ///< no symbolic link any more, unless `old` is a special file
     std::optional<struct stat> old;    ///< what is there now
     bool is_regular_or_new() const { return !old || S_ISREG(old->st_mode); }
@@ -91,11 +91,11 @@ std::string folder_holding(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-Result<Target> find_target(const std::string& path) {
+Result<Destination> find_target(const std::string& path) {
     // The system reads up to the first NUL, and would write a file that nobody named.
     if (path.find('\0') != std::string::npos) return io_error(path.c_str(), "cannot write", EINVAL);
     if (path.empty()) return io_error("\"\"", "cannot write", ENOENT);
-    Target target{path, std::nullopt};
+    Destination target{path, std::nullopt};
     struct stat found {};
     if (::stat(path.c_str(), &found) == 0) {
         target.old = found;
@@ -152,7 +152,7 @@ Status write_standard_output(std::span<const std::byte> bytes) {
     return Done{};
 }
 
-Status replace(const std::string& path, const Target& target, std::span<const std::byte> bytes) {
+Status replace(const std::string& path, const Destination& target, std::span<const std::byte> bytes) {
     if (target.old && ::faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
         return io_error(path, "cannot write", errno);
     Temporary temporary;
@@ -194,7 +194,7 @@ Result<Bytes> read_all(const std::string& path, int fd, std::size_t expected, st
 
 Status write_file(const std::string& path, std::span<const std::byte> bytes) {
     if (is_standard_output(path)) return write_standard_output(bytes);
-    const Result<Target> target = find_target(path);
+    const Result<Destination> target = find_target(path);
     if (!target) return target.error();
     if (target->is_regular_or_new()) return replace(path, *target, bytes);
     return write_directly(path, ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY), bytes);
@@ -202,7 +202,7 @@ Status write_file(const std::string& path, std::span<const std::byte> bytes) {
 
 Status check_writable(const std::string& path) {
     if (is_standard_output(path)) return Done{};
-    const Result<Target> target = find_target(path);
+    const Result<Destination> target = find_target(path);
     if (!target) return target.error();
     const auto may = [](const std::string& name, int mode) {
         return ::faccessat(AT_FDCWD, name.c_str(), mode, AT_EACCESS) == 0;

@@ -20,9 +20,9 @@ struct Corner {
     glm::vec3 face[3];
 };
 
-class Uniforms {
+class UniformSetter {
 public:
-    Uniforms(const OpenGl& gl, unsigned program) : gl_(gl), program_(program) { gl.UseProgram(program); }
+    UniformSetter(const OpenGl& gl, unsigned program) : gl_(gl), program_(program) { gl.UseProgram(program); }
     void set(const std::string& name, int v) const { gl_.Uniform1i(place(name), v); }
     void set(const std::string& name, float v) const { gl_.Uniform1f(place(name), v); }
     void set(const std::string& name, const glm::vec3& v) const { gl_.Uniform3fv(place(name), 1, &v.x); }
@@ -36,7 +36,7 @@ private:
     unsigned program_;
 };
 
-void set_uniforms(OpenGl& gl, const Uniforms& to, const PlannedDraw& draw) {
+void set_uniforms(OpenGl& gl, const UniformSetter& to, const PlannedDraw& draw) {
     const ShadingUniforms& u = draw.uniforms;
     to.set("clip_from_object", u.clip_from_object);
     to.set("eye_from_object", u.eye_from_object);
@@ -124,7 +124,7 @@ Result<OpenGlPicture> render_by_opengl(OpenGl& gl, const Model& model, const Cam
             return;
         }
         gl.apply(draw.state);
-        const Uniforms uniforms(gl, *place->second);
+        const UniformSetter uniforms(gl, *place->second);
         set_uniforms(gl, uniforms, draw);
         for (const auto& [name, value] : reflectance->uniforms)
             std::visit([&](const auto& number) { uniforms.set(name, number); }, value);
