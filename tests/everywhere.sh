@@ -60,8 +60,18 @@ done
 export NODE_PATH=/usr/share/nodejs
 unset EM_CACHE
 
-sources=(tests/everywhere/*.cpp raster/target.cpp raster/tiles/*.cpp raster/shading/*.cpp raster/visibility/*.cpp
-    raster/scene/!(observe*).cpp raster/image/{decode,file,png_reader,pnm,stb_reader}.cpp)
+# A room is compiled at one go, as in the project's own builds; what takes long is compiled alone.
+alone=(tests/everywhere/*.cpp raster/scene/render_*.cpp raster/shading/*_bake.cpp raster/target.cpp)
+rooms=("tiles raster/tiles/*.cpp" "visibility raster/visibility/*.cpp" "shading raster/shading/!(*_bake).cpp"
+    "scene raster/scene/!(observe*|render_*).cpp" "image raster/image/{decode,file,png_reader,pnm,stb_reader}.cpp")
+mkdir -p "$out/rooms"
+sources=("${alone[@]}")
+for room in "${rooms[@]}"; do
+    eval "files=(${room#* })"
+    printf '#include "../../../%s"\n' "${files[@]}" >"$out/rooms/${room%% *}.cpp"
+    sources+=("$out/rooms/${room%% *}.cpp")
+done
+
 # build NAME COMMAND...: the program, $out/NAME/everywhere
 build() {
     local name=$1 folder=$out/$1 program=everywhere link=()
