@@ -126,8 +126,8 @@ Result<OpenGlPicture> render_by_opengl(OpenGl& gl, const Model& model, const Cam
         gl.apply(draw.state);
         const UniformSetter uniforms(gl, *place->second);
         set_uniforms(gl, uniforms, draw);
-        for (const auto& [name, value] : reflectance->uniforms)
-            std::visit([&](const auto& number) { uniforms.set(name, number); }, value);
+        for (const auto& uniform : reflectance->uniforms)
+            std::visit([&](const auto& number) { uniforms.set(uniform.first, number); }, uniform.second);
         const std::vector<Corner> corners = corners_of(draw);
         if (corners.empty()) return;
         const Corner& first = corners[0];
