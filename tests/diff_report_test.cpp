@@ -224,7 +224,7 @@ TEST(Triptych, ShowsASinglePixelOfALargePicture) {
     b.pixel(1501, 7)[1] = 0;
     const auto diff = raster::diff_images(a, b);
     ASSERT_TRUE(diff);
-    const Image8 page = raster::triptych(a, b, raster::difference_picture(a, *diff));
+    const Image8 page = raster::triptych(a, b, raster::indexed_difference(a, *diff));
     EXPECT_LE(page.width, 3 * 1024 + 32);
     int orange = 0;
     for (std::size_t i = 0; i < page.samples.size(); i += 3) orange += page.samples[i] > page.samples[i + 2] + 100;

@@ -55,6 +55,27 @@ TEST_F(File, WhatIsWrittenIsRead) {
     EXPECT_EQ(file_count(), 1u);
 }
 
+TEST_F(File, PiecesBecomeOneFile) {
+    const auto in_thousands = [](const raster::Sink& sink) {
+        for (int i = 0; i < 1000; ++i) EXPECT_TRUE(sink(bytes_of(std::to_string(i) + "\n")));
+    };
+    ASSERT_TRUE(raster::write_file_in_pieces(in_folder("a"), in_thousands));
+    EXPECT_THAT(content(in_folder("a")), ::testing::StartsWith("0\n1\n2\n"));
+    EXPECT_THAT(content(in_folder("a")), ::testing::EndsWith("\n998\n999\n"));
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(File, APieceThatCannotBeWrittenIsAnErrorAndEndsTheWriting) {
+    int written = 0;
+    const auto status = raster::write_file_in_pieces("/dev/full", [&](const raster::Sink& sink) {
+        while (written < 1000 && sink(bytes_of("x"))) ++written;
+        EXPECT_FALSE(sink(bytes_of("y")));
+    });
+    ASSERT_FALSE(status);
+    EXPECT_THAT(status.error().message, HasSubstr("No space left on device"));
+    EXPECT_EQ(written, 0);
+}
+
 TEST_F(File, AnEmptyFileIsAFile) {
     ASSERT_TRUE(raster::write_file(in_folder("a"), {}));
     const auto read = raster::read_file(in_folder("a"), 0);

@@ -112,4 +112,17 @@ TEST_F(PngFile, IsWrittenToItsPathAndErrorsNameIt) {
     EXPECT_THAT(status.error().message, testing::HasSubstr(in_folder("none/x.png") + ": cannot write"));
 }
 
+TEST(PngOfAPalette, EveryPixelHasTheColourOfItsNumber) {
+    raster::IndexedImage image = {random_image<std::uint8_t>(37, 21, 1, 5), {}};
+    for (int i = 0; i < 256; ++i) image.palette.push_back({std::uint8_t(i), std::uint8_t(255 - i), std::uint8_t(i * 7)});
+    const auto file = raster::encode_png(image);
+    ASSERT_TRUE(file);
+    const auto decoded = raster::decode_image8(*file, "x.png");
+    ASSERT_TRUE(decoded) << decoded.error().message;
+    ASSERT_EQ(decoded->channels, 3);
+    for (std::size_t i = 0; i < image.indices.samples.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_EQ(decoded->samples[3 * i + c], image.palette[image.indices.samples[i]][c]);
+}
+
 }  // namespace

@@ -7,17 +7,15 @@
 
 namespace raster {
 
-std::string data_url(const char* type, const Bytes& bytes) {
+std::string base64(std::span<const std::byte> bytes) {
     static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     static const std::vector<std::array<char, 2>> pairs = [] {
         std::vector<std::array<char, 2>> table;
         for (int i = 0; i < 4096; ++i) table.push_back({digits[i >> 6], digits[i & 63]});
         return table;
     }();
-    std::string url = std::string("data:") + type + ";base64,";
-    const std::size_t start = url.size();
-    url.resize(start + (bytes.size() + 2) / 3 * 4, '=');
-    char* out = url.data() + start;
+    std::string text((bytes.size() + 2) / 3 * 4, '=');
+    char* out = text.data();
     const auto* in = reinterpret_cast<const unsigned char*>(bytes.data());
     std::size_t left = bytes.size();
     for (; left >= 3; left -= 3, in += 3, out += 4) {
@@ -30,7 +28,11 @@ std::string data_url(const char* type, const Bytes& bytes) {
         std::copy_n(pairs[bits >> 12].data(), 2, out);
         if (left == 2) out[2] = digits[bits >> 6 & 63];
     }
-    return url;
+    return text;
+}
+
+std::string data_url(const char* type, const Bytes& bytes) {
+    return std::string("data:") + type + ";base64," + base64(bytes);
 }
 
 }  // namespace raster

@@ -63,8 +63,9 @@ Result<Comparison> diff_files(const std::string& expected_path, const std::strin
     pair.name = fs::path(expected_path.empty() ? actual_path : expected_path).filename().string();
     ComparedPicture* const sides[2] = {&pair.expected, &pair.actual};
     std::string problems[2];
-    for (int i = 0; i < 2; ++i)
+    tiles::parallel_for(2, [&](std::size_t i) {
         if (!sides[i]->path.empty()) problems[i] = read_picture(*sides[i]);
+    });
 
     const bool equal_bytes = !pair.expected.file.empty() && pair.expected.file == pair.actual.file;
     if (equal_bytes) {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <raster/image/diff_words.h>
+#include <raster/tiles/parallel.h>
 
 namespace raster {
 
@@ -23,20 +24,56 @@ std::string to_string(const Gates& gates) {
 namespace diff_steps {
 namespace {
 
-std::int64_t count_above(const ImageF& deltas, float limit) {
-    return std::count_if(deltas.samples.begin(), deltas.samples.end(), [=](float d) { return d > limit; });
-}
+/// How many pixels have which delta.
+class Deltas {
+public:
+    /// Deltas of whole numbers, 0 to `most`, are counted; those of floats are looked through again for each question.
+    Deltas(const ImageF& deltas, double most, bool whole_numbers) : deltas_(&deltas) {
+        if (!whole_numbers || deltas.empty()) return;
+        counts_.resize(std::size_t(most) + 1);
+        constexpr int bands = 16;
+        std::vector<std::vector<std::uint32_t>> counts_of(bands);
+        const auto first_row = [&](std::size_t band) { return int(std::int64_t(deltas.height) * std::int64_t(band) / bands); };
+        tiles::parallel_for(bands, [&](std::size_t band) {
+            std::vector<std::uint32_t>& counts = counts_of[band];
+            counts.resize(counts_.size());
+            const float* const end = deltas.pixel(0, 0) + std::ptrdiff_t(first_row(band + 1)) * deltas.width;
+            for (const float* d = deltas.pixel(0, 0) + std::ptrdiff_t(first_row(band)) * deltas.width; d < end; ++d)
+                ++counts[std::size_t(std::int32_t(*d))];
+        });
+        for (const auto& counts : counts_of)
+            for (std::size_t delta = 0; delta < counts.size(); ++delta) counts_[delta] += counts[delta];
+    }
 
-/// The smallest max_delta with which at most `allowed` pixels fail: the largest but `allowed`.
-float tightest_delta(const ImageF& deltas, std::int64_t allowed) {
-    std::vector<float> sorted;
-    for (const float d : deltas.samples)
-        if (d > 0) sorted.push_back(d);
-    if (std::int64_t(sorted.size()) <= allowed) return 0;
-    const auto nth = sorted.begin() + std::ptrdiff_t(allowed);
-    std::nth_element(sorted.begin(), nth, sorted.end(), std::greater<>());
-    return *nth;
-}
+    std::int64_t count_above(float limit) const {
+        if (counts_.empty())
+            return std::count_if(deltas_->samples.begin(), deltas_->samples.end(), [=](float d) { return d > limit; });
+        std::int64_t count = 0;
+        for (std::size_t delta = counts_.size(); delta-- > 0 && float(delta) > limit;) count += counts_[delta];
+        return count;
+    }
+
+    /// The smallest max_delta with which at most `allowed` pixels fail: the largest but `allowed`.
+    float tightest(std::int64_t allowed) const {
+        if (!counts_.empty()) {
+            std::int64_t above = 0;
+            for (std::size_t delta = counts_.size(); delta-- > 1;)
+                if ((above += counts_[delta]) > allowed) return float(delta);
+            return 0;
+        }
+        std::vector<float> sorted;
+        for (const float d : deltas_->samples)
+            if (d > 0) sorted.push_back(d);
+        if (std::int64_t(sorted.size()) <= allowed) return 0;
+        const auto nth = sorted.begin() + std::ptrdiff_t(allowed);
+        std::nth_element(sorted.begin(), nth, sorted.end(), std::greater<>());
+        return *nth;
+    }
+
+private:
+    const ImageF* deltas_;
+    std::vector<std::int64_t> counts_;  ///< by delta; empty for floats
+};
 
 /// What each gate would have to be at the least, the others as given.
 struct Needed {
@@ -100,15 +137,20 @@ void judge(const AnyImage& expected, const AnyImage& actual, const Gates& gates,
     Figures& figures = *diff.figures;
     diff.allowed_delta = float(gates.max_delta.value_or(0));
     const std::int64_t allowed_pixels = gates.max_pixels.value_or(0);
-    const std::int64_t failing_unshifted = count_above(diff.deltas, diff.allowed_delta);
-    if (gates.max_shift && *gates.max_shift > 0 && figures.differing > 0)
+    const bool whole_numbers = !std::holds_alternative<ImageF>(expected);
+    const auto count = [&] { return Deltas(diff.deltas, peak, whole_numbers); };
+    Deltas deltas = count();
+    const std::int64_t failing_unshifted = deltas.count_above(diff.allowed_delta);
+    if (gates.max_shift && *gates.max_shift > 0 && figures.differing > 0) {
         allow_shift(expected, actual, *gates.max_shift, diff.deltas);
-    figures.failing = count_above(diff.deltas, diff.allowed_delta);
+        deltas = count();
+    }
+    figures.failing = deltas.count_above(diff.allowed_delta);
 
     const bool flip_only = gates.flip && !gates.max_delta && !gates.max_pixels && !gates.max_shift;
     const bool pixels_pass = flip_only || figures.failing <= allowed_pixels;
     const bool flip_passes = !gates.flip || figures.flip <= *gates.flip;
-    const Needed needed = {tightest_delta(diff.deltas, allowed_pixels), figures.failing, rounded_up_flip(figures.flip)};
+    const Needed needed = {deltas.tightest(allowed_pixels), figures.failing, rounded_up_flip(figures.flip)};
     if (figures.differing == 0) {
         diff.verdict = Verdict::same;
     } else if (pixels_pass && flip_passes) {

@@ -19,18 +19,30 @@ constexpr float white = 1.0f;
 
 std::uint8_t to_byte(float v) { return std::uint8_t(v * 255.0f + 0.5f); }
 
-void set(std::uint8_t* pixel, const Rgb8& color) { std::copy(color.begin(), color.end(), pixel); }
+// The palette: greys, of which the hatched ones are the darkest; what passes; what fails, from light to dark.
+constexpr int darkest_grey = 124, lightest_grey = 247, tolerated_index = lightest_grey - darkest_grey + 1;
+constexpr int failing_index = tolerated_index + 1, failing_steps = 256 - failing_index;
 
-/// From light to dark orange as a difference grows from the smallest step to the peak.
-Rgb8 failing_color(float delta, float peak) {
-    constexpr Rgb8 small = {255, 168, 60}, large = {196, 48, 0};
-    const float t = clamp(sqrt(delta / peak), 0.0f, 1.0f);
-    Rgb8 color;
-    for (std::size_t c = 0; c < 3; ++c) color[c] = std::uint8_t(float(small[c]) + t * (float(large[c]) - float(small[c])));
-    return color;
+std::vector<Rgb8> difference_palette() {
+    constexpr Rgb8 tolerated = {64, 140, 230}, small = {255, 168, 60}, large = {196, 48, 0};
+    std::vector<Rgb8> palette;
+    for (int grey = darkest_grey; grey <= lightest_grey; ++grey)
+        palette.push_back({std::uint8_t(grey), std::uint8_t(grey), std::uint8_t(grey)});
+    palette.push_back(tolerated);
+    for (int step = 0; step < failing_steps; ++step) {
+        const float t = float(step) / float(failing_steps - 1);
+        Rgb8 color;
+        for (std::size_t c = 0; c < 3; ++c) color[c] = std::uint8_t(float(small[c]) + t * (float(large[c]) - float(small[c])));
+        palette.push_back(color);
+    }
+    return palette;
 }
 
-constexpr Rgb8 tolerated_color = {64, 140, 230};
+/// The colour of a pixel that fails, darker as the difference grows from the smallest step to the peak.
+std::uint8_t failing(float share_of_peak) {
+    const float t = min(sqrt(share_of_peak), 1.0f);
+    return std::uint8_t(failing_index + int(t * float(failing_steps - 1)));
+}
 
 /// A panel of the triptych: how the picture's pixels map to it.
 struct Scale {
@@ -44,76 +56,118 @@ struct Scale {
     int shrink, grow, width, height;
 };
 
-/// The mean of a block of pixels, or (for differences) its most colourful pixel.
-void shrink_block(const Image8& image, int x0, int y0, int size, bool most_colorful, std::uint8_t* out) {
-    const int x1 = std::min(x0 + size, image.width), y1 = std::min(y0 + size, image.height);
-    std::array<int, 3> sum{};
-    int best = -1;
-    for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-            const std::uint8_t* p = image.pixel(x, y);
-            if (most_colorful) {
-                const int colorful = std::max({p[0], p[1], p[2]}) - std::min({p[0], p[1], p[2]});
-                if (colorful > best) best = colorful, std::copy_n(p, 3, out);
-            } else {
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += p[c];
-            }
-        }
-    const int count = (x1 - x0) * (y1 - y0);
-    for (std::size_t c = 0; c < 3 && !most_colorful; ++c) out[c] = std::uint8_t((sum[c] + count / 2) / count);
+/// Row y as a display shows it: of the picture itself if that has such rows, else made in `space`.
+const std::uint8_t* displayed_row(const AnyImage& image, const Display& display, int y, std::vector<std::uint8_t>& space) {
+    if (const auto* bytes = std::get_if<Image8>(&image); bytes != nullptr && bytes->channels == 3) return bytes->pixel(0, y);
+    const std::size_t width = std::size_t(display.width());
+    std::vector<float> rgb(3 * width);
+    space.resize(3 * width);
+    display.encoded_row(0, y, int(width), rgb.data(), rgb.data() + width, rgb.data() + 2 * width);
+    for (std::size_t x = 0; x < width; ++x)
+        for (std::size_t c = 0; c < 3; ++c) space[3 * x + c] = to_byte(rgb[c * width + x]);
+    return space.data();
 }
 
-void place(const Image8& image, const Scale& scale, bool most_colorful, int left, int top, Image8& page) {
+/// Puts row `row` of a panel, `grow` pixels for each colour, on the page.
+void place_row(const std::vector<Rgb8>& colors, const Scale& scale, int left, int top, int row, Image8& page) {
+    for (int v = 0; v < scale.grow; ++v) {
+        std::uint8_t* out = page.pixel(left, top + row * scale.grow + v);
+        for (const Rgb8& color : colors)
+            for (int u = 0; u < scale.grow; ++u) out = std::copy(color.begin(), color.end(), out);
+    }
+}
+
+/// A picture, each colour the mean of a block.
+void place(const AnyImage& image, const Scale& scale, int left, int top, Image8& page) {
+    const Display display(image, white);
     tiles::parallel_for(std::size_t(scale.height / scale.grow), [&](std::size_t row) {
-        for (int column = 0; column < scale.width / scale.grow; ++column) {
-            Rgb8 color;
-            shrink_block(image, column * scale.shrink, int(row) * scale.shrink, scale.shrink, most_colorful, color.data());
-            for (int v = 0; v < scale.grow; ++v)
-                for (int u = 0; u < scale.grow; ++u)
-                    set(page.pixel(left + column * scale.grow + u, top + int(row) * scale.grow + v), color);
+        const int y0 = int(row) * scale.shrink, y1 = std::min(y0 + scale.shrink, display.height());
+        const std::size_t samples = 3 * std::size_t(display.width()), block = 3 * std::size_t(scale.shrink);
+        std::vector<std::uint32_t> sums(samples);
+        std::vector<std::uint8_t> space;
+        for (int y = y0; y < y1; ++y) {
+            const std::uint8_t* in = displayed_row(image, display, y, space);
+            for (std::size_t i = 0; i < samples; ++i) sums[i] += in[i];
         }
+        std::vector<Rgb8> colors;
+        for (std::size_t start = 0; start < samples; start += block) {
+            const std::size_t end = std::min(start + block, samples);
+            const std::uint32_t count = std::uint32_t((end - start) / 3 * std::size_t(y1 - y0));
+            std::uint32_t sum[3] = {};
+            for (std::size_t i = start; i < end; i += 3)
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += sums[i + c];
+            colors.push_back({std::uint8_t((sum[0] + count / 2) / count), std::uint8_t((sum[1] + count / 2) / count),
+                              std::uint8_t((sum[2] + count / 2) / count)});
+        }
+        place_row(colors, scale, left, top, int(row), page);
+    });
+}
+
+/// A difference, each colour the most colourful pixel of a block.
+void place(const IndexedImage& image, const Scale& scale, int left, int top, Image8& page) {
+    std::array<std::uint8_t, 256> colorful{};
+    for (std::size_t i = 0; i < image.palette.size(); ++i) {
+        const auto [least, most] = std::minmax_element(image.palette[i].begin(), image.palette[i].end());
+        colorful[i] = std::uint8_t(*most - *least);
+    }
+    tiles::parallel_for(std::size_t(scale.height / scale.grow), [&](std::size_t row) {
+        const int y0 = int(row) * scale.shrink, y1 = std::min(y0 + scale.shrink, image.indices.height);
+        std::vector<Rgb8> colors;
+        for (int x0 = 0; x0 < image.indices.width; x0 += scale.shrink) {
+            const int x1 = std::min(x0 + scale.shrink, image.indices.width);
+            std::uint8_t best = *image.indices.pixel(x0, y0);
+            for (int y = y0; y < y1; ++y)
+                for (const std::uint8_t* p = image.indices.pixel(x0, y); p < image.indices.pixel(x1, y); ++p)
+                    best = colorful[*p] > colorful[best] ? *p : best;
+            colors.push_back(image.palette[best]);
+        }
+        place_row(colors, scale, left, top, int(row), page);
     });
 }
 
 }  // namespace
 
 Image8 displayed(const AnyImage& image) {
-    if (const auto* bytes = std::get_if<Image8>(&image); bytes != nullptr && bytes->channels == 3) return *bytes;
     const Display display(image, white);
     Image8 out(display.width(), display.height(), 3);
     tiles::parallel_for(std::size_t(out.height), [&](std::size_t y) {
-        std::vector<float> rgb(3 * std::size_t(out.width));
-        float *red = rgb.data(), *green = red + out.width, *blue = green + out.width;
-        display.encoded_row(0, int(y), out.width, red, green, blue);
-        for (int x = 0; x < out.width; ++x) set(out.pixel(x, int(y)), {to_byte(red[x]), to_byte(green[x]), to_byte(blue[x])});
+        std::vector<std::uint8_t> space;
+        std::copy_n(displayed_row(image, display, int(y), space), 3 * std::size_t(out.width), out.pixel(0, int(y)));
+    });
+    return out;
+}
+
+IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff) {
+    const Display display(expected, white);
+    IndexedImage out = {Image8(display.width(), display.height(), 1), difference_palette()};
+    const int bits = diff_steps::shape_of(expected).bits, width = display.width();
+    const float peak = bits == 8 ? 255.0f : bits == 16 ? 65535.0f : 1.0f;
+    tiles::parallel_for(std::size_t(display.height()), [&](std::size_t row) {
+        const int y = int(row);
+        std::uint8_t* pixel = out.indices.pixel(0, y);
+        std::vector<float> luma(std::size_t(width), 0.0f);
+        display.luma_row(0, y, width, luma.data());
+        for (int x = 0; x < width; ++x) pixel[x] = std::uint8_t(int((0.72f + 0.25f * luma[std::size_t(x)]) * 255.0f + 0.5f) - darkest_grey);
+        if (!diff.deltas.empty()) {
+            const float* delta = diff.deltas.pixel(0, y);
+            for (int x = 0; x < width; ++x) {
+                const std::uint8_t grey = pixel[x], worse = failing(delta[x] / peak);
+                pixel[x] = delta[x] > diff.allowed_delta ? worse : delta[x] > 0 ? std::uint8_t(tolerated_index) : grey;
+            }
+        }
+        if (diff.compared.empty()) return;
+        const std::uint8_t* counts = diff.compared.pixel(0, y);
+        for (int x = 0; x < width; ++x)
+            if (counts[x] == 0) pixel[x] = std::uint8_t(pixel[x] - ((x + y) % 8 < 4 ? 60 : 30));  // equal there: a grey
     });
     return out;
 }
 
 Image8 difference_picture(const AnyImage& expected, const Diff& diff) {
-    const Display display(expected, white);
-    Image8 out(display.width(), display.height(), 3);
-    const int bits = diff_steps::shape_of(expected).bits;
-    const float peak = bits == 8 ? 255.0f : bits == 16 ? 65535.0f : 1.0f;
-    tiles::parallel_for(std::size_t(out.height), [&](std::size_t row) {
-        const int y = int(row);
-        std::vector<float> luma(std::size_t(out.width));
-        display.luma_row(0, y, out.width, luma.data());
-        for (int x = 0; x < out.width; ++x) {
-            const std::uint8_t pale = to_byte(0.72f + 0.25f * luma[std::size_t(x)]);
-            const float delta = diff.deltas.empty() ? 0.0f : *diff.deltas.pixel(x, y);
-            std::uint8_t* pixel = out.pixel(x, y);
-            set(pixel, {pale, pale, pale});
-            if (!diff.compared.empty() && *diff.compared.pixel(x, y) == 0) {
-                const std::uint8_t hatch = std::uint8_t((x + y) % 8 < 4 ? pale - 60 : pale - 30);
-                set(pixel, {hatch, hatch, hatch});
-            } else if (delta > diff.allowed_delta) {
-                set(pixel, failing_color(delta, peak));
-            } else if (delta > 0) {
-                set(pixel, tolerated_color);
-            }
-        }
-    });
+    const IndexedImage indexed = indexed_difference(expected, diff);
+    Image8 out(indexed.indices.width, indexed.indices.height, 3);
+    for (std::size_t i = 0; i < indexed.indices.samples.size(); ++i)
+        std::copy_n(indexed.palette[indexed.indices.samples[i]].begin(), 3, out.samples.begin() + std::ptrdiff_t(3 * i));
     return out;
 }
 
@@ -124,7 +178,7 @@ Image8 flip_picture(const Diff& diff) {
     return out;
 }
 
-Image8 triptych(const AnyImage& expected, const AnyImage& actual, const Image8& difference) {
+Image8 triptych(const AnyImage& expected, const AnyImage& actual, const IndexedImage& difference) {
     const diff_steps::Shape e = diff_steps::shape_of(expected), a = diff_steps::shape_of(actual);
     const int larger = std::max({e.width, e.height, a.width, a.height});
     const Scale e_scale(e.width, e.height, larger), a_scale(a.width, a.height, larger);
@@ -132,9 +186,9 @@ Image8 triptych(const AnyImage& expected, const AnyImage& actual, const Image8& 
     const int panels = difference.empty() ? 2 : 3;
     const int width = e_scale.width + a_scale.width + (panels == 3 ? e_scale.width : 0) + (panels + 1) * gap;
     Image8 page(width, std::max(e_scale.height, a_scale.height) + 2 * gap, 3, 120);
-    place(displayed(expected), e_scale, false, gap, gap, page);
-    place(displayed(actual), a_scale, false, 2 * gap + e_scale.width, gap, page);
-    if (panels == 3) place(difference, e_scale, true, 3 * gap + e_scale.width + a_scale.width, gap, page);
+    place(expected, e_scale, gap, gap, page);
+    place(actual, a_scale, 2 * gap + e_scale.width, gap, page);
+    if (panels == 3) place(difference, e_scale, 3 * gap + e_scale.width + a_scale.width, gap, page);
     return page;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <raster/image/diff.h>
+#include <raster/image/png.h>
 
 namespace raster {
 
@@ -9,7 +10,8 @@ namespace raster {
 Image8 displayed(const AnyImage& image);
 
 /// The expected picture, pale and grey, with pixels that fail in orange (the darker, the larger the difference),
-/// those that differ and pass in blue, and those that do not count hatched. Same size, RGB. Never red and green.
+/// those that differ and pass in blue, and those that do not count hatched. Same size. Never red and green.
+IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff);
 Image8 difference_picture(const AnyImage& expected, const Diff& diff);
 
 /// The FLIP error of each pixel, 0 to 255, one channel.
@@ -17,6 +19,6 @@ Image8 flip_picture(const Diff& diff);
 
 /// Expected, actual and difference side by side, for a glance: at most 1024 pixels each, small ones magnified. Where
 /// shrunk, a difference of one pixel stays visible. `difference` may be empty.
-Image8 triptych(const AnyImage& expected, const AnyImage& actual, const Image8& difference);
+Image8 triptych(const AnyImage& expected, const AnyImage& actual, const IndexedImage& difference);
 
 }  // namespace raster

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <raster/tiles/parallel.h>
+
 namespace raster::diff_steps {
 namespace {
 
@@ -18,14 +20,23 @@ struct Cells {
         : columns((deltas.width + cell - 1) / cell),
           rows((deltas.height + cell - 1) / cell),
           region(std::size_t(columns) * std::size_t(rows)) {
-        for (int y = 0; y < deltas.height; ++y) {
-            const float* delta = deltas.pixel(0, y);
-            for (int x = 0; x < deltas.width; ++x)
-                if (delta[x] > limit) {
-                    const DiffRegion pixel = {{x, y, 1, 1}, 1, delta[x], x, y};
-                    merge(at(x / cell, y / cell), pixel);
-                }
-        }
+        tiles::parallel_for(std::size_t(rows), [&](std::size_t row) {
+            for (int y = int(row) * cell; y < std::min(int(row + 1) * cell, deltas.height); ++y)
+                for (int column = 0; column < columns; ++column) add_piece(deltas, limit, column, y);
+        });
+    }
+    /// What row y has in a column of cells.
+    void add_piece(const ImageF& deltas, float limit, int column, int y) {
+        const int x0 = column * cell, x1 = std::min(x0 + cell, deltas.width);
+        const float* delta = deltas.pixel(0, y);
+        int count = 0;
+        for (int x = x0; x < x1; ++x) count += delta[x] > limit;
+        if (count == 0) return;
+        int first = x0, last = x1 - 1, largest = x0;
+        while (!(delta[first] > limit)) ++first;
+        while (!(delta[last] > limit)) --last;
+        for (int x = x0; x < x1; ++x) largest = delta[x] > delta[largest] ? x : largest;
+        merge(at(column, y / cell), {{first, y, last - first + 1, 1}, count, delta[largest], largest, y});
     }
     DiffRegion& at(int column, int row) { return region[std::size_t(row) * std::size_t(columns) + std::size_t(column)]; }
 

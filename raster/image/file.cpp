@@ -138,21 +138,34 @@ void keep_owner_and_mode(int fd, const struct stat& old) {
     (void)::fchmod(fd, mode);
 }
 
-Status write_directly(const std::string& path, int fd, std::span<const std::byte> bytes) {
+using Produce = std::function<void(const Sink&)>;
+
+/// False with the errno of the first piece that could not be written; those that follow are dropped.
+bool write_pieces(int fd, const Produce& produce) {
+    int failed = 0;
+    produce([&](std::span<const std::byte> piece) {
+        if (failed == 0 && !write_all(fd, piece)) failed = errno;
+        return failed == 0;
+    });
+    if (failed != 0) errno = failed;
+    return failed == 0;
+}
+
+Status write_directly(const std::string& path, int fd, const Produce& produce) {
     Descriptor file(fd);
-    if (!file.is_open() || !write_all(file.get(), bytes) || !file.close())
+    if (!file.is_open() || !write_pieces(file.get(), produce) || !file.close())
         return io_error(path, "cannot write", errno);
     return Done{};
 }
 
-Status write_standard_output(std::span<const std::byte> bytes) {
+Status write_standard_output(const Produce& produce) {
     // What the program printed before comes first.
-    if (std::fflush(stdout) != 0 || !write_all(::fileno(stdout), bytes))
+    if (std::fflush(stdout) != 0 || !write_pieces(::fileno(stdout), produce))
         return io_error("standard output", "cannot write", errno);
     return Done{};
 }
 
-Status replace(const std::string& path, const Destination& target, std::span<const std::byte> bytes) {
+Status replace(const std::string& path, const Destination& target, const Produce& produce) {
     if (target.old && ::faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
         return io_error(path, "cannot write", errno);
     Temporary temporary;
@@ -161,7 +174,7 @@ Status replace(const std::string& path, const Destination& target, std::span<con
     if (!file.is_open()) return io_error(path, "cannot write into " + folder_holding(target.path), errno);
     temporary.path = temporary_path;  // from here on it is ours to remove
     if (target.old) keep_owner_and_mode(file.get(), *target.old);
-    if (!write_all(file.get(), bytes) || !synchronise(file.get()) || !file.close())
+    if (!write_pieces(file.get(), produce) || !synchronise(file.get()) || !file.close())
         return io_error(path, "cannot write", errno);
     if (::rename(temporary.path.c_str(), target.path.c_str()) != 0)
         return io_error(path, "cannot replace", errno);
@@ -193,11 +206,15 @@ Result<Bytes> read_all(const std::string& path, int fd, std::size_t expected, st
 }  // namespace
 
 Status write_file(const std::string& path, std::span<const std::byte> bytes) {
-    if (is_standard_output(path)) return write_standard_output(bytes);
+    return write_file_in_pieces(path, [&](const Sink& sink) { sink(bytes); });
+}
+
+Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce) {
+    if (is_standard_output(path)) return write_standard_output(produce);
     const Result<Destination> target = find_target(path);
     if (!target) return target.error();
-    if (target->is_regular_or_new()) return replace(path, *target, bytes);
-    return write_directly(path, ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY), bytes);
+    if (target->is_regular_or_new()) return replace(path, *target, produce);
+    return write_directly(path, ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY), produce);
 }
 
 Status check_writable(const std::string& path) {

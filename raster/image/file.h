@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,12 @@ using Bytes = std::vector<std::byte>;
 ///
 /// Errors are input_output, in the system's words; the old file is then untouched and no temporary is left.
 Status write_file(const std::string& path, std::span<const std::byte> bytes);
+
+/// Takes the next bytes of a file. False if they cannot be written: there is no use in going on.
+using Sink = std::function<bool(std::span<const std::byte>)>;
+/// The same for a file that is made piece by piece, so that it never stands in memory whole. `produce` hands all the
+/// pieces to its sink, in order.
+Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce);
 
 /// Whether write_file has a chance: the folder is there and can be written, the target is no folder and may
 /// be written. To be asked before a long rendering; a full disk shows itself only when written to.

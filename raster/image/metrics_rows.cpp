@@ -4,27 +4,17 @@
 #include <cstddef>
 #include <cstring>
 
-// Plain functions over plain arrays only: nothing from a header may be compiled twice, or the linker could keep the
-// version that other processors do not know. FMA stays out, since it would change the last bits.
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__AVX2__)
-#define RASTER_DISPATCH 1
-#endif
-#if defined(__GNUC__)
-#define RASTER_INLINE inline __attribute__((always_inline))
-#else
-#define RASTER_INLINE inline
-#endif
+#include <raster/image/dispatch.h>
 
 namespace raster {
 namespace {
 
-#if defined(__GNUC__)
-constexpr int pack_size = 8;
-using Pack = float __attribute__((vector_size(4 * pack_size)));
-#else
-constexpr int pack_size = 1;
-using Pack = float;
-#endif
+// One pack at a time: sums that are copied as an array are kept in memory.
+RASTER_INLINE void load_pack(Pack& pack, const float* from) { std::memcpy(&pack, from, sizeof pack); }
+RASTER_INLINE void store_pack(float* to, const Pack& pack) {
+    const Pack copy = pack;
+    std::memcpy(to, &copy, sizeof copy);
+}
 
 /// One of the filters that run over the same rows.
 struct Filter {
@@ -32,7 +22,6 @@ struct Filter {
     float* out;
     bool add;
 };
-using Sum = void (*)(const Filter* filters, int radius, const float* const* rows, int count);
 
 template <FilterSymmetry... symmetries>
 RASTER_INLINE void sum(const Filter* filters, int radius, const float* const* rows, int count) {
@@ -44,53 +33,77 @@ RASTER_INLINE void sum(const Filter* filters, int radius, const float* const* ro
     for (int i = 0; i < (count + row_block - 1) / row_block * row_block; i += block) {
         Pack sums[n][packs] = {};
         for (int f = 0; f < n; ++f) {
-            if (filters[f].add) std::memcpy(sums[f], filters[f].out + i, sizeof sums[f]);
-            for (int p = 0; p < packs && symmetry[f] == FilterSymmetry::even; ++p) {
+            for (int p = 0; p < packs; ++p) {
+                if (filters[f].add) load_pack(sums[f][p], filters[f].out + i + p * pack_size);
                 Pack middle;
-                std::memcpy(&middle, rows[radius] + i + p * pack_size, sizeof middle);
-                sums[f][p] += middle * filters[f].weights[0];
+                load_pack(middle, rows[radius] + i + p * pack_size);
+                if (symmetry[f] == FilterSymmetry::even) sums[f][p] += middle * filters[f].weights[0];
             }
         }
         for (int k = 1; k <= radius; ++k) {
             const float *before = rows[radius - k] + i, *after = rows[radius + k] + i;
             for (int p = 0; p < packs; ++p) {
                 Pack a, b;
-                std::memcpy(&a, after + p * pack_size, sizeof a);
-                std::memcpy(&b, before + p * pack_size, sizeof b);
+                load_pack(a, after + p * pack_size);
+                load_pack(b, before + p * pack_size);
                 const Pack even = a + b, odd = a - b;
                 for (int f = 0; f < n; ++f)
                     sums[f][p] += (symmetry[f] == FilterSymmetry::even ? even : odd) * filters[f].weights[k];
             }
         }
-        for (int f = 0; f < n; ++f) std::memcpy(filters[f].out + i, sums[f], sizeof sums[f]);
+        for (int f = 0; f < n; ++f)
+            for (int p = 0; p < packs; ++p) store_pack(filters[f].out + i + p * pack_size, sums[f][p]);
     }
 }
 
-/// A version of the loop for every processor, and the one for this processor.
-#if RASTER_DISPATCH
-#define RASTER_ROW_SUM(name, ...)                                                                                 \
-    void name##_anywhere(const Filter* filters, int radius, const float* const* rows, int count) {                \
-        sum<__VA_ARGS__>(filters, radius, rows, count);                                                           \
-    }                                                                                                             \
-    __attribute__((target("avx2"))) void name##_avx2(const Filter* filters, int radius, const float* const* rows, \
-                                                     int count) {                                                 \
-        sum<__VA_ARGS__>(filters, radius, rows, count);                                                           \
-    }                                                                                                             \
-    const Sum name = __builtin_cpu_supports("avx2") ? name##_avx2 : name##_anywhere;
-#else
-#define RASTER_ROW_SUM(name, ...)                                                                \
-    void name(const Filter* filters, int radius, const float* const* rows, int count) {          \
-        sum<__VA_ARGS__>(filters, radius, rows, count);                                          \
+/// The weights of both sides, and zeros beyond, so that all sums run over all rows.
+struct BothSides {
+    float weights[2 * (most_weights + rows_at_once)];
+    int rows;
+};
+
+RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows, int count, float* const* out, bool add) {
+    constexpr int packs = 2, block = packs * pack_size;
+    for (int i = 0; i < (count + row_block - 1) / row_block * row_block; i += block) {
+        Pack sums[rows_at_once][packs];
+        for (int o = 0; o < rows_at_once; ++o)
+            for (int p = 0; p < packs; ++p) {
+                sums[o][p] = Pack{};
+                if (add) load_pack(sums[o][p], out[o] + i + p * pack_size);
+            }
+        for (int row = 0; row < filter.rows; ++row) {
+            for (int p = 0; p < packs; ++p) {
+                Pack in;
+                load_pack(in, rows[row] + i + p * pack_size);
+                for (int o = 0; o < rows_at_once; ++o) sums[o][p] += in * filter.weights[row - o + rows_at_once - 1];
+            }
+        }
+        for (int o = 0; o < rows_at_once; ++o)
+            for (int p = 0; p < packs; ++p) store_pack(out[o] + i + p * pack_size, sums[o][p]);
     }
-#endif
+}
+
+RASTER_INLINE void luma_of(const std::uint8_t* __restrict rgb, int count, float* __restrict luma) {
+    constexpr float scale = 1.0f / 255.0f;
+    for (int i = 0; i < count; ++i)
+        luma[i] = 0.299f * (float(rgb[3 * i]) * scale) + 0.587f * (float(rgb[3 * i + 1]) * scale) + 0.114f * (float(rgb[3 * i + 2]) * scale);
+}
 
 constexpr FilterSymmetry e = FilterSymmetry::even, o = FilterSymmetry::odd;
+#define RASTER_ROW_SUM(name, ...)                                                                        \
+    RASTER_DISPATCHED(name, (sum<__VA_ARGS__>),                                                          \
+                      (const Filter* filters, int radius, const float* const* rows, int count),          \
+                      (filters, radius, rows, count))
 RASTER_ROW_SUM(sum_e, e)
 RASTER_ROW_SUM(sum_o, o)
 RASTER_ROW_SUM(sum_ee, e, e)
 RASTER_ROW_SUM(sum_oe, o, e)
 RASTER_ROW_SUM(sum_eoe, e, o, e)
 #undef RASTER_ROW_SUM
+RASTER_DISPATCHED(columns_here, sum_columns,
+                  (const BothSides& filter, const float* const* rows, int count, float* const* out, bool add),
+                  (filter, rows, count, out, add))
+RASTER_DISPATCHED(luma_here, luma_of, (const std::uint8_t* rgb, int count, float* luma), (rgb, count, luma))
 
 }  // namespace
 
@@ -98,6 +111,17 @@ void filter_rows(FilterSymmetry symmetry, const std::vector<float>& weights, con
                  float* out, bool add) {
     const Filter filter = {weights.data(), out, add};
     (symmetry == FilterSymmetry::even ? sum_e : sum_o)(&filter, int(weights.size()) - 1, rows, count);
+}
+
+void luma_of_bytes(const std::uint8_t* rgb, int count, float* luma) { luma_here(rgb, count, luma); }
+
+void filter_columns(const std::vector<float>& weights, const float* const* rows, int count, float* const* out, bool add) {
+    const int radius = int(weights.size()) - 1;
+    BothSides filter = {};
+    filter.rows = 2 * radius + rows_at_once;
+    float* const middle = filter.weights + rows_at_once - 1 + radius;
+    for (int k = 0; k <= radius; ++k) middle[k] = middle[-k] = weights[std::size_t(k)];
+    columns_here(filter, rows, count, out, add);
 }
 
 void filter_rows_even_even(const std::vector<float>& weights_1, const std::vector<float>& weights_2,

@@ -1,6 +1,7 @@
 // metrics_rows.h: weighted sums of rows of floats, the one loop in which image metrics spend their time.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 namespace raster {
@@ -21,7 +22,14 @@ enum class FilterSymmetry {
 void filter_rows(FilterSymmetry symmetry, const std::vector<float>& weights, const float* const* rows, int count,
                  float* out, bool add = false);
 
-/// Several such sums over the same rows at once, which saves loads: of two even filters; an odd and an even one; an
+/// An even filter along y for rows_at_once rows of the picture at once, so that each row is loaded once for all of
+/// them: out[o][i] = the weighted sum of rows[o + radius + k][i]. `rows` has 2 radius + rows_at_once pointers; at most
+/// most_weights weights.
+inline constexpr int rows_at_once = 4, most_weights = 128;
+void filter_columns(const std::vector<float>& weights, const float* const* rows, int count, float* const* out,
+                    bool add = false);
+
+/// Several sums of filter_rows over the same rows at once, which saves loads: of two even filters; an odd and an even one; an
 /// even, an odd and an even one. The same bits as one after the other. All have as many weights.
 void filter_rows_even_even(const std::vector<float>& weights_1, const std::vector<float>& weights_2,
                            const float* const* rows, int count, float* out_1, float* out_2);
@@ -30,5 +38,8 @@ void filter_rows_odd_even(const std::vector<float>& odd, const std::vector<float
 void filter_rows_even_odd_even(const std::vector<float>& even_1, const std::vector<float>& odd,
                                const std::vector<float>& even_2, const float* const* rows, int count, float* out_1,
                                float* out_odd, float* out_2);
+
+/// Luma (ITU-R BT.601), 0 to 1, of pixels of three bytes.
+void luma_of_bytes(const std::uint8_t* rgb, int count, float* luma);
 
 }  // namespace raster

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 
 #include <raster/image/metrics_display.h>
 #include <raster/image/metrics_rows.h>
@@ -16,8 +17,9 @@ namespace {
 using F = FloatN;
 
 constexpr int radius = 5, window = 2 * radius + 1;
-constexpr int ssim_tile_width = 256, ssim_tile_height = 64;
-constexpr int ring = 16;  // rows kept: a power of two that holds a window
+constexpr int ssim_tile_width = 256, ssim_tile_height = 64, highest_ssim_tile = 512;
+constexpr int ring = 16;  // rows kept: a power of two that holds the windows of rows_at_once rows
+static_assert(ring >= window + rows_at_once - 1);
 
 std::vector<float> window_weights() {
     std::vector<float> weights;
@@ -30,13 +32,14 @@ std::vector<float> window_weights() {
     return weights;
 }
 
-/// The four sums that SSIM is made of.
-enum Plane { x, y, squares, product, planes };
+/// The four sums that SSIM is made of: of the expected picture x, of the change d to the actual one, of both pictures'
+/// squares, and of the change's squares. Of equal windows, those of the change are 0 exactly.
+enum Plane { x, change, squares, squared_change, planes };
 
 struct Scratch {
     float source[planes][ssim_tile_width + 2 * radius];  ///< one row
     float across[planes][ring][ssim_tile_width];         ///< rows weighted along x
-    float down[planes][ssim_tile_width];                 ///< the row weighted along both
+    float down[planes][rows_at_once][ssim_tile_width];   ///< rows weighted along both
 };
 static_assert(ssim_tile_width % row_block == 0);
 
@@ -46,13 +49,13 @@ constexpr float middle = 0.5f;
 void add_row(const Display& expected, const Display& actual, int x0, int row, int width,
              const std::vector<float>& weights, Scratch& scratch) {
     const int count = width + 2 * radius;
-    auto& [x_row, y_row, squares_row, product_row] = scratch.source;
+    auto& [x_row, change_row, squares_row, squared_change_row] = scratch.source;
     expected.luma_row(x0 - radius, row, count, x_row);
-    actual.luma_row(x0 - radius, row, count, y_row);
+    actual.luma_row(x0 - radius, row, count, change_row);
     for (int i = 0; i < count; ++i) {
-        const float a = x_row[i] -= middle, b = y_row[i] -= middle;
+        const float a = x_row[i] -= middle, b = change_row[i] - middle, d = change_row[i] = b - a;
         squares_row[i] = a * a + b * b;
-        product_row[i] = a * b;
+        squared_change_row[i] = d * d;
     }
     for (int plane = 0; plane < planes; ++plane) {
         std::array<const float*, window> rows;
@@ -61,25 +64,29 @@ void add_row(const Display& expected, const Display& actual, int x0, int row, in
     }
 }
 
-void go_to_row(int row, int width, const std::vector<float>& weights, Scratch& scratch) {
+void go_to_rows(int row, int width, const std::vector<float>& weights, Scratch& scratch) {
     for (int plane = 0; plane < planes; ++plane) {
-        std::array<const float*, window> rows;
-        for (int k = 0; k < window; ++k) rows[std::size_t(k)] = scratch.across[plane][(row - radius + k) & (ring - 1)];
-        filter_rows(FilterSymmetry::even, weights, rows.data(), width, scratch.down[plane]);
+        std::array<const float*, window + rows_at_once - 1> rows;
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            rows[k] = scratch.across[plane][(row - radius + int(k)) & (ring - 1)];
+        std::array<float*, rows_at_once> down;
+        for (std::size_t o = 0; o < down.size(); ++o) down[o] = scratch.down[plane][o];
+        filter_columns(weights, rows.data(), width, down.data());
     }
 }
 
-/// 1 - SSIM of the windows around the pixels i, i + 1, ...: 0 exactly where the windows are equal.
-F deficit(const Scratch& scratch, int i) {
+/// 1 - SSIM of the windows around the pixels i, i + 1, ... of the row o: 0 exactly where the windows are equal.
+F deficit(const Scratch& scratch, int o, int i) {
     constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
-    const auto at = [&](Plane plane) { return load<F>(scratch.down[plane] + i); };
-    const F mean_x = at(x), mean_y = at(y);
-    const F variances = at(squares) - (mean_x * mean_x + mean_y * mean_y);
-    const F covariance = at(product) - mean_x * mean_y;
+    const auto at = [&](Plane plane) { return load<F>(scratch.down[plane][o] + i); };
+    const F mean_x = at(x), mean_change = at(change), mean_y = mean_x + mean_change;
     const F true_x = mean_x + middle, true_y = mean_y + middle;
-    const F luminance = (true_x * true_y * 2.0f + c1) / (true_x * true_x + true_y * true_y + c1);
-    const F structure = (covariance * 2.0f + c2) / (variances + c2);
-    return F(1.0f) - luminance * structure;
+    // 1 - (2 x y + c1) / (x^2 + y^2 + c1), and the same of the deviations, without a difference of near numbers.
+    const F variances = at(squares) - (mean_x * mean_x + mean_y * mean_y);
+    const F variance_of_change = max(at(squared_change) - mean_change * mean_change, 0.0f);
+    const F luminance = mean_change * mean_change / (true_x * true_x + true_y * true_y + c1);
+    const F structure = variance_of_change / (max(variances, 0.0f) + c2);
+    return luminance + structure - luminance * structure;
 }
 
 struct Tile {
@@ -91,20 +98,21 @@ double sum_of_deficits(const Display& expected, const Display& actual, const Til
     // Zeroed: lanes beyond the tile are computed and dropped.
     const auto scratch = std::make_unique<Scratch>();
     const int width = tile.x1 - tile.x0;
-    double sum = 0;
-    for (int row = tile.y0 - radius; row < tile.y1 + radius; ++row) {
-        add_row(expected, actual, tile.x0, row, width, weights, *scratch);
-        const int center = row - radius;
-        if (center < tile.y0) continue;
-        go_to_row(center, width, weights, *scratch);
-        std::array<float, ssim_tile_width> deficits;
-        for (int i = 0; i < width; i += native_lanes) store(deficits.data() + i, deficit(*scratch, i));
-        for (int i = 0; i < width; ++i) {
-            const bool counts = compared.empty() || *compared.pixel(tile.x0 + i, center) != 0;
-            sum += counts ? double(deficits[std::size_t(i)]) : 0.0;
+    std::array<double, 8> sums{};  // side by side, so that they need not wait for each other
+    int added = tile.y0 - radius;
+    for (int row = tile.y0; row < tile.y1; row += rows_at_once) {
+        for (; added < row + rows_at_once + radius; ++added) add_row(expected, actual, tile.x0, added, width, weights, *scratch);
+        go_to_rows(row, width, weights, *scratch);
+        for (int o = 0; o < std::min(rows_at_once, tile.y1 - row); ++o) {
+            std::array<float, ssim_tile_width> deficits;
+            for (int i = 0; i < width; i += native_lanes) store(deficits.data() + i, deficit(*scratch, o, i));
+            if (!compared.empty())
+                for (int i = 0; i < width; ++i)
+                    if (*compared.pixel(tile.x0 + i, row + o) == 0) deficits[std::size_t(i)] = 0;
+            for (int i = 0; i < width; ++i) sums[i % sums.size()] += double(deficits[std::size_t(i)]);
         }
     }
-    return sum;
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 /// The centres of whole windows; of a picture smaller than the window, all pixels.
@@ -119,12 +127,16 @@ double ssim_over(const AnyImage& expected_image, const AnyImage& actual_image, c
     const Display expected(expected_image, background), actual(actual_image, background);
     const Centers columns(expected.width()), rows(expected.height());
 
+    // Tiles one below the other become one, up to a limit: each has to filter `radius` rows more at both its ends.
     std::vector<Tile> all_tiles;
-    for (int y = rows.first; y < rows.last; y += ssim_tile_height)
-        for (int x = columns.first; x < columns.last; x += ssim_tile_width) {
+    for (int x = columns.first; x < columns.last; x += ssim_tile_width)
+        for (int y = rows.first; y < rows.last; y += ssim_tile_height) {
             const Tile tile{x, y, std::min(x + ssim_tile_width, columns.last), std::min(y + ssim_tile_height, rows.last)};
-            if (cells.any_in(tile.x0 - radius, tile.y0 - radius, tile.x1 + radius, tile.y1 + radius))
-                all_tiles.push_back(tile);
+            if (!cells.any_in(tile.x0 - radius, tile.y0 - radius, tile.x1 + radius, tile.y1 + radius)) continue;
+            const bool grows = !all_tiles.empty() && all_tiles.back().x0 == x && all_tiles.back().y1 == y &&
+                               y - all_tiles.back().y0 < highest_ssim_tile;
+            if (grows) all_tiles.back().y1 = tile.y1;
+            else all_tiles.push_back(tile);
         }
     std::vector<double> deficits(all_tiles.size());
     tiles::parallel_for(all_tiles.size(), [&](std::size_t i) {

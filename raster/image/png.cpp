@@ -80,12 +80,14 @@ private:
     Bytes bytes_;
 };
 
-std::array<std::uint8_t, 13> image_header(int width, int height, int bit_depth, int channels) {
-    constexpr std::uint8_t color_type[] = {0, 4, 2, 6};  // grey, grey and alpha, RGB, RGBA
+constexpr std::uint8_t color_types[] = {0, 4, 2, 6};  // grey, grey and alpha, RGB, RGBA
+constexpr std::uint8_t indexed_color_type = 3;
+
+std::array<std::uint8_t, 13> image_header(int width, int height, int bit_depth, std::uint8_t color_type) {
     const auto byte = [](int value, int shift) { return std::uint8_t(value >> shift); };
     return {byte(width, 24),  byte(width, 16),  byte(width, 8),  byte(width, 0),
             byte(height, 24), byte(height, 16), byte(height, 8), byte(height, 0),
-            std::uint8_t(bit_depth), color_type[channels - 1],
+            std::uint8_t(bit_depth), color_type,
             0, 0, 0};  // deflate, adaptive filters, not interlaced
 }
 
@@ -145,9 +147,32 @@ Result<Bytes> encode_png(const Image16& image) {
         int size = 0;
         const MallocBlock<unsigned char> compressed(zlib_compress(filtered.data(), int(filtered.size()), &size, 0));
         if (!compressed) return no_memory();
-        const auto header = image_header(image.width, image.height, 16, image.channels);
+        const auto header = image_header(image.width, image.height, 16, color_types[image.channels - 1]);
         PngFile file;
         file.chunk("IHDR", header.data(), header.size());
+        file.chunk("IDAT", compressed.get(), std::size_t(size));
+        file.chunk("IEND", nullptr, 0);
+        return file.take();
+    } catch (const std::bad_alloc&) {
+        return no_memory();
+    }
+}
+
+Result<Bytes> encode_png(const IndexedImage& image) {
+    if (const Status status = check_image(image.indices); !status) return status.error();
+    try {
+        // Numbers of colours have no slope to predict: each row is led by the filter "none", 0.
+        const std::size_t width = std::size_t(image.indices.width), height = std::size_t(image.indices.height);
+        std::vector<unsigned char> rows((1 + width) * height);
+        for (std::size_t y = 0; y < height; ++y)
+            std::memcpy(rows.data() + y * (1 + width) + 1, image.indices.pixel(0, int(y)), width);
+        int size = 0;
+        const MallocBlock<unsigned char> compressed(zlib_compress(rows.data(), int(rows.size()), &size, 0));
+        if (!compressed) return no_memory();
+        const auto header = image_header(image.indices.width, image.indices.height, 8, indexed_color_type);
+        PngFile file;
+        file.chunk("IHDR", header.data(), header.size());
+        file.chunk("PLTE", image.palette.data(), 3 * image.palette.size());
         file.chunk("IDAT", compressed.get(), std::size_t(size));
         file.chunk("IEND", nullptr, 0);
         return file.take();

@@ -84,15 +84,12 @@ bool read_chunks(File file, Contents& contents) {
     return true;
 }
 
-MallocBlock<Byte> inflate(File data, std::size_t size) {
+/// False unless there are exactly `size` bytes with a right checksum.
+bool inflate(File data, Byte* out, std::size_t size) {
     const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-    MallocBlock<Byte> block(static_cast<Byte*>(std::malloc(size)));
-    if (!decompressor || !block) throw std::bad_alloc();
-    // Asks for exactly `size` bytes and a right checksum.
-    const auto result =
-        libdeflate_zlib_decompress(decompressor.get(), data.data(), data.size(), block.get(), size, nullptr);
-    return result == LIBDEFLATE_SUCCESS ? std::move(block) : nullptr;
+    if (!decompressor) throw std::bad_alloc();
+    return libdeflate_zlib_decompress(decompressor.get(), data.data(), data.size(), out, size, nullptr) == LIBDEFLATE_SUCCESS;
 }
 
 // The bytes of a pixel, widened so that their sums fit: 8 at most, the rest is 0.
@@ -132,18 +129,27 @@ Wide paeth(Wide left, Wide above, Wide corner) {
     return from_corner < distance ? corner : nearer;
 }
 
-// step is the bytes of a pixel: a constant, so that the compiler keeps the pixel to the left in registers.
+using Chunk = Byte __attribute__((vector_size(32)));
+
+// step is the bytes of a pixel: a constant, so that the compiler keeps the pixel to the left in registers. `out` may be
+// `in` or lie before it.
 template <int step>
 bool undo_filter(int filter, const Byte* in, const Byte* above, Byte* out, std::size_t size) {
     std::array<Byte, step> left{};
     std::size_t i = 0;
     switch (filter) {
-        case 0: std::memcpy(out, in, size); return true;
+        case 0: std::memmove(out, in, size); return true;
         case 1:
             for (; i < size; i += step)
                 for (int c = 0; c < step; ++c) out[i + c] = left[c] = Byte(in[i + c] + left[c]);
             return true;
         case 2:
+            for (Chunk here, up; i + sizeof here <= size; i += sizeof here) {
+                std::memcpy(&here, in + i, sizeof here);
+                std::memcpy(&up, above + i, sizeof up);
+                here += up;
+                std::memcpy(out + i, &here, sizeof here);
+            }
             for (; i < size; ++i) out[i] = Byte(in[i] + above[i]);
             return true;
         case 3:
@@ -198,17 +204,22 @@ std::optional<std::variant<Image8, Image16>> read_common_png(File file, const Im
     const std::size_t size = (1 + row_bytes) * contents.height;
     // Deflate packs 1032 to 1 at best: memory is taken only for what can be there.
     if (size / 1032 > contents.data.size()) return std::nullopt;
-    const MallocBlock<Byte> filtered = inflate(contents.data, size);
-    if (!filtered) return std::nullopt;
-
     const int width = int(contents.width), height = int(contents.height);
     if (contents.bits == 8) {
-        Image8 image(width, height, contents.channels);
+        // In place: a row's bytes are needed no more once they are read, and their filter's byte makes room.
+        Image8 image;
+        image.width = width, image.height = height, image.channels = contents.channels;
+        image.samples.resize(size);
+        if (!inflate(contents.data, image.samples.data(), size)) return std::nullopt;
         const auto row = [&](std::uint32_t y) { return image.samples.data() + y * row_bytes; };
-        if (!undo_filters(step, filtered.get(), row_bytes, contents.height, row)) return std::nullopt;
+        if (!undo_filters(step, image.samples.data(), row_bytes, contents.height, row)) return std::nullopt;
+        image.samples.resize(row_bytes * contents.height);
         return image;
     }
-    // In place: a row's bytes are needed no more once they are read. Then big-endian pairs become numbers.
+    const MallocBlock<Byte> filtered(static_cast<Byte*>(std::malloc(size)));
+    if (!filtered) return std::nullopt;
+    if (!inflate(contents.data, filtered.get(), size)) return std::nullopt;
+    // In place too. Then big-endian pairs become numbers.
     const auto row = [&](std::uint32_t y) { return filtered.get() + y * (1 + row_bytes) + 1; };
     if (!undo_filters(step, filtered.get(), row_bytes, contents.height, row)) return std::nullopt;
     Image16 image(width, height, contents.channels);

@@ -12,12 +12,12 @@
 #include <set>
 #include <system_error>
 
-#include <raster/image/data_url.h>
 #include <raster/image/diff_picture.h>
 #include <raster/image/diff_steps.h>
 #include <raster/image/png.h>
 #include <raster/image/pnm.h>
 #include <raster/image/report_json.h>
+#include <raster/image/report_page.h>
 #include <raster/tiles/parallel.h>
 
 namespace raster {
@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Beyond, browsers get slow; the pictures are in the folder all the same.
-constexpr std::size_t most_embedded_bytes = std::size_t(256) << 20;
+constexpr std::size_t most_embedded_bytes = std::size_t(192) << 20;
 
 std::string hexadecimal(std::uint32_t value) {
     std::string digits(8, '0');
@@ -51,20 +51,10 @@ Result<Bytes> encode(const AnyImage& image) {
     return encode_png(displayed(image));
 }
 
-/// The file itself where browsers know its format, else a PNG of what it shows.
-Result<std::string> picture_url(const ComparedPicture& picture) {
-    if (!picture.image) return std::string();
-    const auto starts = [&](std::string_view magic) {
-        return picture.file.size() > magic.size() && std::equal(magic.begin(), magic.end(), picture.file.begin(), [](char a, std::byte b) {
-                   return std::byte(static_cast<unsigned char>(a)) == b;
-               });
-    };
-    if (starts("\x89PNG")) return data_url("image/png", picture.file);
-    if (starts("\xff\xd8\xff")) return data_url("image/jpeg", picture.file);
-    if (starts("BM")) return data_url("image/bmp", picture.file);
-    const Result<Bytes> png = encode(*picture.image);
-    if (!png) return png.error();
-    return data_url("image/png", *png);
+/// The file itself, which is taken away, where browsers know its format, else a PNG of what it shows.
+Result<Bytes> picture_for_page(ComparedPicture& picture) {
+    if (!picture.image) return Bytes();
+    return picture_type(picture.file) != nullptr ? std::move(picture.file) : encode(*picture.image);
 }
 
 Status make_folder(const fs::path& folder) {
@@ -95,7 +85,7 @@ void remove_if_there(const fs::path& file) {
 
 }  // namespace
 
-Status DiffReport::add(const Comparison& pair, const Gates& gates) try {
+Status DiffReport::add(Comparison pair, const Gates& gates) try {
     const Diff& diff = pair.diff;
     ReportEntry entry;
     entry.name = pair.name;
@@ -130,60 +120,56 @@ Status DiffReport::add(const Comparison& pair, const Gates& gates) try {
     return Error{ErrorKind::input_output, folder_ + ": not enough memory for the report"};
 }
 
-Status DiffReport::write_pictures(const Comparison& pair, ReportEntry& entry) {
+Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
     const fs::path folder = fs::path(folder_) / fs::path(pair.name).parent_path();
     if (const Status made = make_folder(folder); !made) return made;
     const std::string stem = stem_of(pair.name);
-    const bool both = pair.expected.image && pair.actual.image;
     const bool embed = embedded_bytes_ < most_embedded_bytes;
 
-    Image8 difference;
-    if (pair.diff.figures) difference = difference_picture(*pair.expected.image, pair.diff);
+    IndexedImage difference;
+    if (pair.diff.figures) difference = indexed_difference(*pair.expected.image, pair.diff);
     // Independent of each other, and each takes its time.
     using Job = std::function<Status()>;
-    const auto write_png_and_url = [&](const Image8& image, const std::string& file, std::string& url) -> Status {
-        const Result<Bytes> png = encode_png(image);
-        if (!png) return png.error();
-        if (embed) url = data_url("image/png", *png);
-        return file.empty() ? Status(Done{}) : write_file((fs::path(folder_) / file).string(), *png);
+    const auto write_picture = [&](const Result<Bytes>& png, const std::string& file) -> Status {
+        return png ? write_file((fs::path(folder_) / file).string(), *png) : Status(png.error());
+    };
+    const auto keep = [](Result<Bytes> made, Bytes& bytes) -> Status {
+        if (!made) return made.error();
+        bytes = std::move(*made);
+        return Done{};
     };
     std::vector<Job> jobs;
     if (!difference.empty()) {
         entry.difference_file = stem + ".diff.png";
-        jobs.push_back([&] { return write_png_and_url(difference, entry.difference_file, entry.difference_url); });
+        jobs.push_back([&]() -> Status {
+            Result<Bytes> png = encode_png(difference);
+            const Status written = write_picture(png, entry.difference_file);
+            return written && embed ? keep(std::move(png), entry.difference_picture) : written;
+        });
     }
     if (!pair.diff.flip_map.empty() && embed)
-        jobs.push_back([&] { return write_png_and_url(flip_picture(pair.diff), "", entry.flip_url); });
-    std::string no_url;
-    if (both) {
+        jobs.push_back([&] { return keep(encode_png(flip_picture(pair.diff)), entry.flip_picture); });
+    if (pair.expected.image && pair.actual.image) {
         entry.triptych_file = stem + ".triptych.png";
-        jobs.push_back([&]() -> Status {
-            const Result<Bytes> png = encode_png(triptych(*pair.expected.image, *pair.actual.image, difference));
-            if (!png) return png.error();
-            return write_file((fs::path(folder_) / entry.triptych_file).string(), *png);
+        jobs.push_back([&] {
+            return write_picture(encode_png(triptych(*pair.expected.image, *pair.actual.image, difference)),
+                                 entry.triptych_file);
         });
     }
     if (!pair.actual.file.empty() && pair.actual.image) {
         entry.actual_file = actual_name(pair);
         entry.approvable = !has_nan(*pair.actual.image);
-        jobs.push_back([&] { return write_file((fs::path(folder_) / entry.actual_file).string(), pair.actual.file); });
     }
-    const auto embed_side = [&](const ComparedPicture& side, std::string& url) {
-        jobs.push_back([&]() -> Status {
-            Result<std::string> made = picture_url(side);
-            if (!made) return made.error();
-            url = std::move(*made);
-            return Done{};
-        });
-    };
-    if (embed) {
-        embed_side(pair.expected, entry.expected_url);
-        embed_side(pair.actual, entry.actual_url);
-    }
+    jobs.push_back([&] { return embed ? keep(picture_for_page(pair.expected), entry.expected_picture) : Done{}; });
+    jobs.push_back([&]() -> Status {
+        if (!entry.actual_file.empty())
+            if (Status copied = write_file((fs::path(folder_) / entry.actual_file).string(), pair.actual.file); !copied) return copied;
+        return embed ? keep(picture_for_page(pair.actual), entry.actual_picture) : Done{};
+    });
     std::vector<Status> results(jobs.size(), Status(Done{}));
     tiles::parallel_for(jobs.size(), [&](std::size_t i) { results[i] = jobs[i](); });
-    for (const std::string* url : {&entry.expected_url, &entry.actual_url, &entry.difference_url, &entry.flip_url})
-        embedded_bytes_ += url->size();
+    for (const Bytes* bytes : {&entry.expected_picture, &entry.actual_picture, &entry.difference_picture, &entry.flip_picture})
+        embedded_bytes_ += bytes->size();
     for (Status& result : results)
         if (!result) return std::move(result);
     return Done{};
@@ -193,10 +179,10 @@ Status DiffReport::finish() try {
     const fs::path folder(folder_), page = folder / "report.html", data = folder / "diff.json";
     if (!all_pass()) {
         if (const Status made = make_folder(folder); !made) return made;
-        const std::string html = report_page(entries_, folder_), facts = json();
-        const auto bytes = [](const std::string& text) { return std::as_bytes(std::span(text)); };
-        if (Status written = write_file(page.string(), bytes(html)); !written) return written;
-        return write_file(data.string(), bytes(facts));
+        const auto produce = [&](const Sink& sink) { write_report_page(entries_, folder_, sink); };
+        if (Status written = write_file_in_pieces(page.string(), produce); !written) return written;
+        const std::string facts = json();
+        return write_file(data.string(), std::as_bytes(std::span(facts)));
     }
     // An earlier failure stays if it was about other pictures.
     const Result<Bytes> earlier = read_file(data.string(), std::size_t(1) << 30);

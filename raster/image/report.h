@@ -26,8 +26,8 @@ struct ReportEntry {
     int width = 0, height = 0;                           ///< of the expected picture, or the actual one
     std::string actual_file, difference_file, triptych_file;  ///< names in the report's folder, "" when not written
     bool approvable = false;                                   ///< it failed, and the actual picture could be the expected one
-    /// Pictures as data: URLs, for the page only.
-    std::string expected_url, actual_url, difference_url, flip_url;
+    /// Files of pictures in a format that browsers know, for the page only; empty where there is none.
+    Bytes expected_picture, actual_picture, difference_picture, flip_picture;
 };
 
 /// Gathers comparisons and writes about those that fail. Nothing is written, and no folder made, as long as all
@@ -39,7 +39,7 @@ public:
 
     /// Takes in a comparison. If it fails, writes FOLDER/NAME.actual.* (a copy, for approving), NAME.diff.png and
     /// NAME.triptych.png. Errors: input_output.
-    Status add(const Comparison& comparison, const Gates& gates);
+    Status add(Comparison comparison, const Gates& gates);
 
     /// Writes report.html and diff.json if anything failed. Errors: input_output.
     Status finish();
@@ -56,7 +56,7 @@ public:
     std::string junit() const;
 
 private:
-    Status write_pictures(const Comparison& comparison, ReportEntry& entry);
+    Status write_pictures(Comparison& comparison, ReportEntry& entry);
 
     std::string folder_;
     std::vector<ReportEntry> entries_;
@@ -67,7 +67,7 @@ private:
 std::string to_string(const ReportEntry& entry, const std::string& folder);
 
 /// The page: one file, no network, opens from disk.
-std::string report_page(const std::vector<ReportEntry>& entries, const std::string& folder);
+void write_report_page(const std::vector<ReportEntry>& entries, const std::string& folder, const Sink& sink);
 
 /// An entry as JSON, without its pictures.
 std::string to_json(const ReportEntry& entry);

@@ -75,11 +75,12 @@ GoldenResult check(const std::string& name, const AnyImage& image, const DiffOpt
     }
     DiffReport report(folder);
     std::string trouble;
-    if (const Status added = report.add(pair, options.gates); !added) trouble = added.error().message + "\n";
+    const std::vector<std::string> pair_warnings = pair.diff.warnings;
+    if (const Status added = report.add(std::move(pair), options.gates); !added) trouble = added.error().message + "\n";
     if (const Status finished = report.finish(); !finished) trouble += finished.error().message + "\n";
     if (report.all_pass()) {
         std::string warnings;
-        for (const std::string& warning : pair.diff.warnings) warnings += name + ": " + warning + "\n";
+        for (const std::string& warning : pair_warnings) warnings += name + ": " + warning + "\n";
         return {true, warnings};
     }
     std::string message = to_string(report.entries().front(), folder);

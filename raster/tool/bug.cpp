@@ -90,7 +90,7 @@ Result<std::string> write_bug_difference(Bug bug, const Target& wrong, const Mod
     const AnyImage expected = right.color_image(), actual = wrong.color_image();
     const Result<Diff> diff = diff_images(expected, actual);
     if (!diff) return diff.error();
-    const Image8 pictures = triptych(expected, actual, difference_picture(expected, *diff));
+    const Image8 pictures = triptych(expected, actual, indexed_difference(expected, *diff));
     if (const Status status = write_image(path, pictures); !status) return status.error();
     const BugInfo& info = info_of(bug);
     const std::int64_t pixels = diff->figures ? diff->figures->differing : 0;

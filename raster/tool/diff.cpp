@@ -55,7 +55,7 @@ Status compare(const FilePair& pair, DiffArguments& a, DiffReport& report) {
         if (!explained) return explained.error();
         a.explained = std::move(*explained);
     }
-    return report.add(*comparison, a.options.gates);
+    return report.add(std::move(*comparison), a.options.gates);
 }
 
 /// The report's JSON with the explanation as one more member. Its other members stay as they are written.
