@@ -218,6 +218,15 @@ TEST(DifferencePicture, FailingIsOrangeToleratedIsBlueTheRestIsGrey) {
     }
 }
 
+TEST(DifferencePicture, OfEightBitsAgainstSixteenIsDrawn) {
+    const Image8 a(4, 4, 3, 0);
+    const raster::Image16 b(4, 4, 3, 65535);
+    const auto diff = raster::diff_images(a, b);
+    ASSERT_TRUE(diff);
+    const Image8 shown = raster::difference_picture(a, *diff);
+    for (int i = 0; i < 16; ++i) EXPECT_GT(shown.samples[std::size_t(3 * i)], shown.samples[std::size_t(3 * i + 2)] + 100) << i;
+}
+
 TEST(Triptych, ShowsASinglePixelOfALargePicture) {
     const Image8 a(3000, 40, 3, 100);
     Image8 b = a;

@@ -142,6 +142,8 @@ IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff) {
     IndexedImage out = {Image8(display.width(), display.height(), 1), difference_palette()};
     const int bits = diff_steps::shape_of(expected).bits, width = display.width();
     const float peak = bits == 8 ? 255.0f : bits == 16 ? 65535.0f : 1.0f;
+    std::vector<std::uint8_t> failing_by_delta;  // for whole numbers
+    for (int delta = 0; bits != 32 && delta <= int(peak); ++delta) failing_by_delta.push_back(failing(float(delta) / peak));
     tiles::parallel_for(std::size_t(display.height()), [&](std::size_t row) {
         const int y = int(row);
         std::uint8_t* pixel = out.indices.pixel(0, y);
@@ -151,8 +153,11 @@ IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff) {
         if (!diff.deltas.empty()) {
             const float* delta = diff.deltas.pixel(0, y);
             for (int x = 0; x < width; ++x) {
-                const std::uint8_t grey = pixel[x], worse = failing(delta[x] / peak);
-                pixel[x] = delta[x] > diff.allowed_delta ? worse : delta[x] > 0 ? std::uint8_t(tolerated_index) : grey;
+                if (delta[x] > diff.allowed_delta)
+                    // Beyond the peak where the other picture has more bits.
+                    pixel[x] = bits == 32 ? failing(delta[x] / peak) : failing_by_delta[std::size_t(min(delta[x], peak))];
+                else if (delta[x] > 0)
+                    pixel[x] = std::uint8_t(tolerated_index);
             }
         }
         if (diff.compared.empty()) return;

@@ -17,6 +17,8 @@
 #include <system_error>
 #include <utility>
 
+#include <raster/image/pages.h>
+
 namespace raster {
 namespace {
 
@@ -165,7 +167,7 @@ Status write_standard_output(const Produce& produce) {
     return Done{};
 }
 
-Status replace(const std::string& path, const Destination& target, const Produce& produce) {
+Status replace(const std::string& path, const Destination& target, const Produce& produce, Keep keep) {
     if (target.old && ::faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
         return io_error(path, "cannot write", errno);
     Temporary temporary;
@@ -174,7 +176,8 @@ Status replace(const std::string& path, const Destination& target, const Produce
     if (!file.is_open()) return io_error(path, "cannot write into " + folder_holding(target.path), errno);
     temporary.path = temporary_path;  // from here on it is ours to remove
     if (target.old) keep_owner_and_mode(file.get(), *target.old);
-    if (!write_pieces(file.get(), produce) || !synchronise(file.get()) || !file.close())
+    const bool need_not_wait = keep == Keep::until_power_fails;
+    if (!write_pieces(file.get(), produce) || !(need_not_wait || synchronise(file.get())) || !file.close())
         return io_error(path, "cannot write", errno);
     if (::rename(temporary.path.c_str(), target.path.c_str()) != 0)
         return io_error(path, "cannot replace", errno);
@@ -188,7 +191,8 @@ Result<Bytes> read_all(const std::string& path, int fd, std::size_t expected, st
     max_bytes = std::min(max_bytes, std::size_t(std::numeric_limits<std::ptrdiff_t>::max()) - 1);
     if (expected > max_bytes) return too_large;
     // Files in /proc call themselves empty, and a file may grow: ask for one more than expected, to the end.
-    Bytes bytes(expected + 1);
+    Bytes bytes;
+    resize_whole(bytes, expected + 1);
     std::size_t filled = 0;
     for (;;) {
         const ssize_t count = ::read(fd, bytes.data() + filled, bytes.size() - filled);
@@ -205,15 +209,15 @@ Result<Bytes> read_all(const std::string& path, int fd, std::size_t expected, st
 
 }  // namespace
 
-Status write_file(const std::string& path, std::span<const std::byte> bytes) {
-    return write_file_in_pieces(path, [&](const Sink& sink) { sink(bytes); });
+Status write_file(const std::string& path, std::span<const std::byte> bytes, Keep keep) {
+    return write_file_in_pieces(path, [&](const Sink& sink) { sink(bytes); }, keep);
 }
 
-Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce) {
+Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce, Keep keep) {
     if (is_standard_output(path)) return write_standard_output(produce);
     const Result<Destination> target = find_target(path);
     if (!target) return target.error();
-    if (target->is_regular_or_new()) return replace(path, *target, produce);
+    if (target->is_regular_or_new()) return replace(path, *target, produce, keep);
     return write_directly(path, ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY), produce);
 }
 

@@ -24,13 +24,17 @@ using Bytes = std::vector<std::byte>;
 ///   owner. A file we may not write (chmod a-w) is not replaced.
 ///
 /// Errors are input_output, in the system's words; the old file is then untouched and no temporary is left.
-Status write_file(const std::string& path, std::span<const std::byte> bytes);
+///
+/// What can be made again at any time need not wait for the disk: `Keep::until_power_fails` leaves the fsync out.
+enum class Keep { always, until_power_fails };
+Status write_file(const std::string& path, std::span<const std::byte> bytes, Keep keep = Keep::always);
 
 /// Takes the next bytes of a file. False if they cannot be written: there is no use in going on.
 using Sink = std::function<bool(std::span<const std::byte>)>;
 /// The same for a file that is made piece by piece, so that it never stands in memory whole. `produce` hands all the
 /// pieces to its sink, in order.
-Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce);
+Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce,
+                            Keep keep = Keep::always);
 
 /// Whether write_file has a chance: the folder is there and can be written, the target is no folder and may
 /// be written. To be asked before a long rendering; a full disk shows itself only when written to.

@@ -12,6 +12,7 @@
 #include <raster/image/flip_rows.h>
 #include <raster/image/metrics_display.h>
 #include <raster/image/metrics_rows.h>
+#include <raster/image/pages.h>
 #include <raster/tiles/parallel.h>
 
 namespace raster {
@@ -22,7 +23,7 @@ using F = FloatN;
 using Weights = std::vector<float>;
 using enum FilterSymmetry;
 
-constexpr int flip_tile_width = 256, flip_tile_height = 64, highest_flip_tile = 512;
+constexpr int flip_tile_width = 192, flip_tile_height = 64, highest_flip_tile = 512;
 
 /// A plane of floats with as many rows as a filter needs, and row y where row y - ring_size was.
 class Ring {
@@ -201,7 +202,9 @@ void add_errors(const AnyImage& expected_image, const AnyImage& actual_image, co
 ImageF flip_map(const AnyImage& expected, const AnyImage& actual, const DifferingCells& cells,
                 float pixels_per_degree) {
     const Filters filters(pixels_per_degree);
-    ImageF map = std::visit([](const auto& held) { return ImageF(held.width, held.height, 1); }, expected);
+    ImageF map;
+    std::visit([&](const auto& held) { map.width = held.width, map.height = held.height, map.channels = 1; }, expected);
+    resize_whole(map.samples, std::size_t(map.width) * std::size_t(map.height));
     add_errors(expected, actual, cells, filters, 0.0f, map);
     if (has_transparency(expected) || has_transparency(actual))
         add_errors(expected, actual, cells, filters, 1.0f, map);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include <raster/image/pages.h>
 #include <raster/math.h>
 #include <raster/tiles/parallel.h>
 
@@ -111,7 +112,8 @@ PlainMetrics plain_metrics(const Image<T>& expected, const Image<T>& actual, std
     const std::size_t row_samples = std::size_t(expected.width) * std::size_t(expected.channels);
     if (!std::is_same_v<T, float> && expected.samples == actual.samples) return metrics;
 
-    metrics.deltas = ImageF(expected.width, expected.height, 1);
+    metrics.deltas.width = expected.width, metrics.deltas.height = expected.height, metrics.deltas.channels = 1;
+    resize_whole(metrics.deltas.samples, std::size_t(expected.width) * std::size_t(expected.height));
     std::vector<RowSums<T>> rows(std::size_t(expected.height));
     constexpr int rows_at_once = 16;
     tiles::parallel_for(std::size_t(expected.height + rows_at_once - 1) / rows_at_once, [&](std::size_t band) {

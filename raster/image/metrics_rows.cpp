@@ -77,6 +77,7 @@ RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows
                 load_pack(in, rows[row] + i + p * pack_size);
                 for (int o = 0; o < rows_at_once; ++o) sums[o][p] += in * filter.weights[row - o + rows_at_once - 1];
             }
+            __builtin_prefetch(rows[row] + i + 4 * block);
         }
         for (int o = 0; o < rows_at_once; ++o)
             for (int p = 0; p < packs; ++p) store_pack(out[o] + i + p * pack_size, sums[o][p]);

@@ -15,6 +15,7 @@
 
 #include <raster/image/bytes.h>
 #include <raster/image/malloc_block.h>
+#include <raster/image/pages.h>
 
 namespace raster {
 namespace {
@@ -209,7 +210,7 @@ std::optional<std::variant<Image8, Image16>> read_common_png(File file, const Im
         // In place: a row's bytes are needed no more once they are read, and their filter's byte makes room.
         Image8 image;
         image.width = width, image.height = height, image.channels = contents.channels;
-        image.samples.resize(size);
+        resize_whole(image.samples, size);
         if (!inflate(contents.data, image.samples.data(), size)) return std::nullopt;
         const auto row = [&](std::uint32_t y) { return image.samples.data() + y * row_bytes; };
         if (!undo_filters(step, image.samples.data(), row_bytes, contents.height, row)) return std::nullopt;

@@ -131,7 +131,7 @@ Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
     // Independent of each other, and each takes its time.
     using Job = std::function<Status()>;
     const auto write_picture = [&](const Result<Bytes>& png, const std::string& file) -> Status {
-        return png ? write_file((fs::path(folder_) / file).string(), *png) : Status(png.error());
+        return png ? write_file((fs::path(folder_) / file).string(), *png, Keep::until_power_fails) : Status(png.error());
     };
     const auto keep = [](Result<Bytes> made, Bytes& bytes) -> Status {
         if (!made) return made.error();
@@ -162,8 +162,9 @@ Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
     }
     jobs.push_back([&] { return embed ? keep(picture_for_page(pair.expected), entry.expected_picture) : Done{}; });
     jobs.push_back([&]() -> Status {
+        const std::string copy = (fs::path(folder_) / entry.actual_file).string();
         if (!entry.actual_file.empty())
-            if (Status copied = write_file((fs::path(folder_) / entry.actual_file).string(), pair.actual.file); !copied) return copied;
+            if (Status copied = write_file(copy, pair.actual.file, Keep::until_power_fails); !copied) return copied;
         return embed ? keep(picture_for_page(pair.actual), entry.actual_picture) : Done{};
     });
     std::vector<Status> results(jobs.size(), Status(Done{}));
@@ -180,9 +181,9 @@ Status DiffReport::finish() try {
     if (!all_pass()) {
         if (const Status made = make_folder(folder); !made) return made;
         const auto produce = [&](const Sink& sink) { write_report_page(entries_, folder_, sink); };
-        if (Status written = write_file_in_pieces(page.string(), produce); !written) return written;
+        if (Status written = write_file_in_pieces(page.string(), produce, Keep::until_power_fails); !written) return written;
         const std::string facts = json();
-        return write_file(data.string(), std::as_bytes(std::span(facts)));
+        return write_file(data.string(), std::as_bytes(std::span(facts)), Keep::until_power_fails);
     }
     // An earlier failure stays if it was about other pictures.
     const Result<Bytes> earlier = read_file(data.string(), std::size_t(1) << 30);

@@ -7,20 +7,28 @@
 #include <raster/image/data_url.h>
 #include <raster/image/report.h>
 #include <raster/image/report_json.h>
+#include <raster/tiles/parallel.h>
 
 namespace raster {
 namespace {
 
 void write_text(std::string_view text, const Sink& sink) { sink(std::as_bytes(std::span(text))); }
 
-/// A data URL, encoded in pieces that stay in the cache: pictures have megabytes.
+/// A data URL, in pieces that stay in the cache: pictures have megabytes. One is encoded while the last is written.
 void write_url(const Bytes& picture, const Sink& sink) {
     const char* type = picture_type(picture);
     if (type == nullptr) return;
     write_text(std::string("data:") + type + ";base64,", sink);
-    constexpr std::size_t piece = 3 << 15;
-    for (std::size_t start = 0; start < picture.size(); start += piece)
-        write_text(base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start))), sink);
+    constexpr std::size_t piece = 3 << 17;
+    std::string written, next;
+    for (std::size_t start = 0; start < picture.size() + piece; start += piece) {
+        std::swap(written, next);
+        tiles::parallel_for(2, [&](std::size_t i) {
+            if (i == 0) write_text(written, sink);
+            else if (start >= picture.size()) next.clear();
+            else next = base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start)));
+        });
+    }
 }
 
 }  // namespace
