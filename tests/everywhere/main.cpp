@@ -21,14 +21,6 @@ namespace {
 
 using namespace raster::everywhere;
 
-std::string hash_of(const Scene& scene) {
-    Hash hash;
-    scene.draw(hash);
-    char text[20];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
-    return text;
-}
-
 std::optional<std::map<std::string, std::string>> read_hashes(const char* path) {
     std::FILE* const file = std::fopen(path, "r");
     if (!file) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
@@ -44,6 +45,15 @@ struct Scene {
     std::string name;
     std::function<void(Hash&)> draw;
 };
+
+/// In hexadecimal, as in hashes.txt.
+inline std::string hash_of(const Scene& scene) {
+    Hash hash;
+    scene.draw(hash);
+    char text[20];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
+    return text;
+}
 
 /// The pipeline's stages and state, with small shaders; lights, materials and models; the files in `models`, a folder.
 std::vector<Scene> stage_scenes();
