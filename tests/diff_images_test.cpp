@@ -156,6 +156,14 @@ TEST(Diff, AGateFarLooserThanNeededIsWarnedOf) {
     EXPECT_THAT(compare(a, b, {.max_delta = 6, .max_shift = 4}).warnings, Contains(HasSubstr("--max-shift 4")));
 }
 
+TEST(Diff, StepsOfSixteenBitsAreSmall) {
+    const raster::Image16 a(9, 9, 3, 20000);
+    raster::Image16 b = a;
+    b.pixel(4, 4)[1] += 7;
+    EXPECT_THAT(compare(a, b, {.max_delta = 18}).warnings, IsEmpty());
+    EXPECT_THAT(compare(a, b, {.max_delta = 700}).warnings, Contains("--max-delta 700 is far looser than needed: 7 would pass"));
+}
+
 // ------------------------------------------------------------------------------------------- named failures
 
 TEST(Diff, ADifferentSizeIsAFailureByName) {

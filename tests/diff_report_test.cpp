@@ -186,6 +186,19 @@ TEST_F(Report, WhatPassesAgainCanNoLongerBeApprovedWhatStillFailsCan) {
     EXPECT_FALSE(fs::exists(in("out")));
 }
 
+TEST_F(Report, PicturesOfAnEarlierFailureDoNotStayBesideAnotherFailure) {
+    write("a/x.png", picture());
+    write("b/x.png", picture(95));
+    DiffReport first(in("out"));
+    ASSERT_TRUE(first.add(compare("a/x.png", "b/x.png"), {}));
+    EXPECT_TRUE(fs::exists(in("out/x.diff.png")));
+    write("b/x.png", Image8(3, 3, 3));
+    DiffReport second(in("out"));
+    ASSERT_TRUE(second.add(compare("a/x.png", "b/x.png"), {}));
+    EXPECT_FALSE(fs::exists(in("out/x.diff.png"))) << "sizes differ: there is no such picture";
+    EXPECT_TRUE(fs::exists(in("out/x.triptych.png")));
+}
+
 TEST_F(Report, TroubleIsAnExitCodeOfItsOwnAndAnErrorForJUnit) {
     write("a/x.png", picture());
     std::ofstream(in("b/x.png")) << "junk & <more>";

@@ -119,7 +119,8 @@ std::vector<std::string> loose_gates(const Gates& given, const Needed& needed, d
     };
     constexpr double factor = 4;
     // Of max_delta sooner: it lets every pixel of the picture be so wrong.
-    if (given.max_delta && *given.max_delta > 2 * double(needed.max_delta) + 4 * peak / 255)
+    const double delta_slack = 4 * (peak == 1 ? 1.0 / 255 : 1.0);
+    if (given.max_delta && *given.max_delta > 2 * double(needed.max_delta) + delta_slack)
         warn("--max-delta", exact_number(*given.max_delta), exact_number(double(needed.max_delta)));
     const double pixel_slack = std::max(16.0, 1e-4 * double(figures.compared));
     if (given.max_pixels && double(*given.max_pixels) > factor * double(needed.max_pixels) + pixel_slack)

@@ -106,14 +106,12 @@ Status DiffReport::add(Comparison pair, const Gates& gates) try {
         const diff_steps::Shape shape = diff_steps::shape_of(*either);
         entry.width = shape.width, entry.height = shape.height;
     }
+    // What an earlier run left about this picture is not true any more.
+    const fs::path stem = fs::path(folder_) / stem_of(pair.name);
+    for (const char* ending : {".diff.png", ".triptych.png"}) remove_if_there(stem.string() + ending);
+    remove_if_there(fs::path(folder_) / actual_name(pair));
     Status written = Done{};
-    if (passes(diff.verdict)) {
-        const fs::path stem = fs::path(folder_) / stem_of(pair.name);
-        for (const char* ending : {".diff.png", ".triptych.png"}) remove_if_there(stem.string() + ending);
-        remove_if_there(fs::path(folder_) / actual_name(pair));
-    } else {
-        written = write_pictures(pair, entry);
-    }
+    if (!passes(diff.verdict)) written = write_pictures(pair, entry);
     entries_.push_back(std::move(entry));
     return written;
 } catch (const std::bad_alloc&) {
