@@ -76,7 +76,7 @@ TEST_F(Golden, AFailureTellsFiguresPathsTheTightestGatesAndTheCommand) {
     const auto result = check("a", picture(93));
     EXPECT_FALSE(result.passed);
     for (const std::string& part : {std::string("200 of 200 pixels differ"), std::string("max 3 at (0,0)"), std::string("RMS"), std::string("PSNR"), std::string("SSIM"),
-                                    std::string("FLIP"), std::string("--max-delta 3, or --max-pixels 200"), golden("a.png"), report("a") + "/report.html",
+                                    std::string("FLIP"), std::string("--max-delta 3, or --max-pixels 200"), golden("a.png"), report("a") + "/a.actual.png", report("a") + "/report.html",
                                     "raster approve " + report("a")})
         EXPECT_THAT(result.message, HasSubstr(part));
     for (const char* file : {"report.html", "diff.json", "a.actual.png", "a.diff.png", "a.triptych.png"})

@@ -115,7 +115,9 @@ std::string to_string(const ReportEntry& entry, const std::string& folder) {
     for (const std::string& note : entry.notes) line("note", note);
     if (!passes(entry.verdict)) {
         line("expected", entry.expected_path);
-        line("actual", entry.actual_path);
+        // A picture that was no file is one now.
+        const bool made = entry.actual_path.empty() && !entry.actual_file.empty();
+        line("actual", made ? folder + "/" + entry.actual_file : entry.actual_path);
         for (const std::string* file : {&entry.difference_file, &entry.triptych_file})
             if (!file->empty()) line("written", folder + "/" + *file);
     }
