@@ -240,6 +240,18 @@ TEST(DifferencePicture, OfEightBitsAgainstSixteenIsDrawn) {
     for (int i = 0; i < 16; ++i) EXPECT_GT(shown.samples[std::size_t(3 * i)], shown.samples[std::size_t(3 * i + 2)] + 100) << i;
 }
 
+TEST(FlipPicture, OnlyNoErrorIsBlackAndTheLargestIsWhite) {
+    raster::Diff diff;
+    diff.flip_map = ImageF(4, 1, 1);
+    diff.flip_map.samples = {0.0f, 1e-6f, 0.5f, 1.0f};
+    const raster::IndexedImage shown = raster::flip_picture(diff);
+    const auto grey = [&](int x) { return int(shown.palette[*shown.indices.pixel(x, 0)][0]); };
+    EXPECT_EQ(grey(0), 0);
+    EXPECT_GT(grey(1), 0);
+    EXPECT_NEAR(grey(2), 132, 4);
+    EXPECT_EQ(grey(3), 255);
+}
+
 TEST(Triptych, ShowsASinglePixelOfALargePicture) {
     const Image8 a(3000, 40, 3, 100);
     Image8 b = a;

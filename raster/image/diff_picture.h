@@ -14,8 +14,8 @@ Image8 displayed(const AnyImage& image);
 IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff);
 Image8 difference_picture(const AnyImage& expected, const Diff& diff);
 
-/// The FLIP error of each pixel, 0 to 255, one channel.
-Image8 flip_picture(const Diff& diff);
+/// The FLIP error of each pixel from black, 0, to white, 1, rounded up to one of 32 greys.
+IndexedImage flip_picture(const Diff& diff);
 
 /// Expected, actual and difference side by side, for a glance: at most 1024 pixels each, small ones magnified. Where
 /// shrunk, a difference of one pixel stays visible. `difference` may be empty.

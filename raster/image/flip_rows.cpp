@@ -65,6 +65,7 @@ RASTER_INLINE void find_opponents(const Planes& rgb, int count, const Planes& ou
     }
 }
 
+// In short loops: of one long one, the steps would wait for each other.
 RASTER_INLINE void see(const Planes& colors, int count) {
     for (int i = 0; i < count; i += pack_size) {
         Pack y, red_green, blue_yellow;
@@ -73,9 +74,20 @@ RASTER_INLINE void see(const Planes& colors, int count) {
         multiply(detail::to_rgb, a, b, c);
         clamp_to_0_1(a), clamp_to_0_1(b), clamp_to_0_1(c);
         multiply(detail::to_xyz, a, b, c);
-        respond(a), respond(b), respond(c);
-        const Pack l = b * 116.0f - 16.0f;
-        store(colors, i, l, (a - b) * 5.0f * l, (b - c) * 2.0f * l);
+        store(colors, i, a, b, c);
+    }
+    for (float* const plane : {colors.a, colors.b, colors.c})
+        for (int i = 0; i < count; i += pack_size) {
+            Pack t;
+            std::memcpy(&t, plane + i, sizeof t);
+            respond(t);
+            std::memcpy(plane + i, &t, sizeof t);
+        }
+    for (int i = 0; i < count; i += pack_size) {
+        Pack x, y, z;
+        load(colors, i, x, y, z);
+        const Pack l = y * 116.0f - 16.0f;
+        store(colors, i, l, (x - y) * 5.0f * l, (y - z) * 2.0f * l);
     }
 }
 
