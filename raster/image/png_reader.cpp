@@ -130,6 +130,17 @@ Wide paeth(Wide left, Wide above, Wide corner) {
     return from_corner < distance ? corner : nearer;
 }
 
+/// A row of the filters Average, 3, or Paeth, 4, undone from left to right (PNG, 9.2).
+template <int step, int filter>
+struct Predicted {
+    Wide left{}, corner{};
+    Wide next(Wide in, Wide above) {
+        left = (in + (filter == 4 ? paeth(left, above, corner) : (left + above) >> 1)) & 0xff;
+        corner = above;
+        return left;
+    }
+};
+
 using Chunk = Byte __attribute__((vector_size(32)));
 
 // step is the bytes of a pixel: a constant, so that the compiler keeps the pixel to the left in registers. `out` may be
@@ -159,15 +170,27 @@ bool undo_filter(int filter, const Byte* in, const Byte* above, Byte* out, std::
                     out[i + c] = left[c] = Byte(in[i + c] + ((left[c] + above[i + c]) >> 1));
             return true;
         case 4:
-            for (Wide left{}, corner{}; i < size; i += step) {
-                const Wide up = load_pixel<step>(above + i);
-                left = (load_pixel<step>(in + i) + paeth(left, up, corner)) & 0xff;
-                corner = up;
-                store_pixel<step>(out + i, left);
-            }
+            for (Predicted<step, 4> row; i < size; i += step)
+                store_pixel<step>(out + i, row.next(load_pixel<step>(in + i), load_pixel<step>(above + i)));
             return true;
         default: return false;
     }
+}
+
+/// Two rows of one filter, 3 or 4, the second a pixel behind the first: each pixel waits for the one to its left, so that
+/// two rows take little longer than one. `out_2` must not lie in `in_1`.
+template <int step, int filter>
+void undo_two(const Byte* in_1, const Byte* in_2, const Byte* above, Byte* out_1, Byte* out_2, std::size_t size) {
+    Predicted<step, filter> first, second;
+    Wide previous = first.next(load_pixel<step>(in_1), load_pixel<step>(above));
+    store_pixel<step>(out_1, previous);
+    for (std::size_t i = step; i < size; i += step) {
+        const Wide pixel = first.next(load_pixel<step>(in_1 + i), load_pixel<step>(above + i));
+        store_pixel<step>(out_2 + i - step, second.next(load_pixel<step>(in_2 + i - step), previous));
+        store_pixel<step>(out_1 + i, pixel);
+        previous = pixel;
+    }
+    store_pixel<step>(out_2 + size - step, second.next(load_pixel<step>(in_2 + size - step), previous));
 }
 
 /// Undoes the filters of all rows; `row(y)` is where row y goes.
@@ -175,8 +198,19 @@ template <int step, class Row>
 bool undo_filters(const Byte* in, std::size_t row_bytes, std::uint32_t height, const Row& row) {
     const std::vector<Byte> zeros(row_bytes);
     const Byte* above = zeros.data();
+    std::vector<Byte> first(row_bytes);
     for (std::uint32_t y = 0; y < height; ++y, in += 1 + row_bytes) {
         Byte* out = row(y);
+        const Byte* const next = in + 1 + row_bytes;
+        if (y + 1 < height && in[0] == next[0] && (in[0] == 3 || in[0] == 4)) {
+            // A copy, since the second row goes where the first one's bytes end.
+            std::memcpy(first.data(), in + 1, row_bytes);
+            Byte* const below = row(++y);
+            (in[0] == 3 ? undo_two<step, 3> : undo_two<step, 4>)(first.data(), next + 1, above, out, below, row_bytes);
+            in = next;
+            above = below;
+            continue;
+        }
         if (!undo_filter<step>(in[0], in + 1, above, out, row_bytes)) return false;
         above = out;
     }
