@@ -372,7 +372,8 @@ TEST(FlipColor, RowsHaveTheBitsOfSinglePixels) {
         // Beyond what a screen shows too, as filters make them.
         r[k] = random.uniform(-0.1f, 1.1f), g[k] = random.uniform(-0.1f, 1.1f), b[k] = random.uniform(-0.1f, 1.1f);
     }
-    raster::flip::opponent_colors({r.data(), g.data(), b.data()}, count, {y.data(), red_green.data(), blue_yellow.data()});
+    raster::flip::opponent_colors({r.data(), g.data(), b.data()}, count,
+                                  {y.data(), red_green.data(), blue_yellow.data()});
     auto l = y, lab_a = red_green, lab_b = blue_yellow;
     raster::flip::seen_colors({l.data(), lab_a.data(), lab_b.data()}, count);
     for (std::size_t k = 0; k < count; ++k) {

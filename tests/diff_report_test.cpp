@@ -237,7 +237,8 @@ TEST(DifferencePicture, OfEightBitsAgainstSixteenIsDrawn) {
     const auto diff = raster::diff_images(a, b);
     ASSERT_TRUE(diff);
     const Image8 shown = raster::difference_picture(a, *diff);
-    for (int i = 0; i < 16; ++i) EXPECT_GT(shown.samples[std::size_t(3 * i)], shown.samples[std::size_t(3 * i + 2)] + 100) << i;
+    for (int i = 0; i < 16; ++i)
+        EXPECT_GT(shown.samples[std::size_t(3 * i)], shown.samples[std::size_t(3 * i + 2)] + 100) << i;
 }
 
 TEST(FlipPicture, OnlyNoErrorIsBlackAndTheLargestIsWhite) {

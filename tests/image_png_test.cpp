@@ -114,7 +114,8 @@ TEST_F(PngFile, IsWrittenToItsPathAndErrorsNameIt) {
 
 TEST(PngOfAPalette, EveryPixelHasTheColourOfItsNumber) {
     raster::IndexedImage image = {random_image<std::uint8_t>(37, 21, 1, 5), {}};
-    for (int i = 0; i < 256; ++i) image.palette.push_back({std::uint8_t(i), std::uint8_t(255 - i), std::uint8_t(i * 7)});
+    for (int i = 0; i < 256; ++i)
+        image.palette.push_back({std::uint8_t(i), std::uint8_t(255 - i), std::uint8_t(i * 7)});
     const auto file = raster::encode_png(image);
     ASSERT_TRUE(file);
     const auto decoded = raster::decode_image8(*file, "x.png");

@@ -33,7 +33,9 @@ public:
         counts_.resize(std::size_t(most) + 1);
         constexpr int bands = 16;
         std::vector<std::vector<std::uint32_t>> counts_of(bands);
-        const auto first_row = [&](std::size_t band) { return int(std::int64_t(deltas.height) * std::int64_t(band) / bands); };
+        const auto first_row = [&](std::size_t band) {
+            return int(std::int64_t(deltas.height) * std::int64_t(band) / bands);
+        };
         tiles::parallel_for(bands, [&](std::size_t band) {
             std::vector<std::uint32_t>& counts = counts_of[band];
             counts.resize(counts_.size());

@@ -33,7 +33,8 @@ std::vector<Rgb8> difference_palette() {
     for (int step = 0; step < failing_steps; ++step) {
         const float t = float(step) / float(failing_steps - 1);
         Rgb8 color;
-        for (std::size_t c = 0; c < 3; ++c) color[c] = std::uint8_t(float(small[c]) + t * (float(large[c]) - float(small[c])));
+        for (std::size_t c = 0; c < 3; ++c)
+            color[c] = std::uint8_t(float(small[c]) + t * (float(large[c]) - float(small[c])));
         palette.push_back(color);
     }
     return palette;
@@ -58,8 +59,10 @@ struct Scale {
 };
 
 /// Row y as a display shows it: of the picture itself if that has such rows, else made in `space`.
-const std::uint8_t* displayed_row(const AnyImage& image, const Display& display, int y, std::vector<std::uint8_t>& space) {
-    if (const auto* bytes = std::get_if<Image8>(&image); bytes != nullptr && bytes->channels == 3) return bytes->pixel(0, y);
+const std::uint8_t* displayed_row(const AnyImage& image, const Display& display, int y,
+                                  std::vector<std::uint8_t>& space) {
+    if (const auto* bytes = std::get_if<Image8>(&image); bytes != nullptr && bytes->channels == 3)
+        return bytes->pixel(0, y);
     const std::size_t width = std::size_t(display.width());
     std::vector<float> rgb(3 * width);
     space.resize(3 * width);
@@ -144,19 +147,22 @@ IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff) {
     const int bits = diff_steps::shape_of(expected).bits, width = display.width();
     const float peak = bits == 8 ? 255.0f : bits == 16 ? 65535.0f : 1.0f;
     std::vector<std::uint8_t> failing_by_delta;  // for whole numbers
-    for (int delta = 0; bits != 32 && delta <= int(peak); ++delta) failing_by_delta.push_back(failing(float(delta) / peak));
+    for (int delta = 0; bits != 32 && delta <= int(peak); ++delta)
+        failing_by_delta.push_back(failing(float(delta) / peak));
     tiles::parallel_for(std::size_t(display.height()), [&](std::size_t row) {
         const int y = int(row);
         std::uint8_t* pixel = out.indices.pixel(0, y);
         std::vector<float> luma(std::size_t(width), 0.0f);
         display.luma_row(0, y, width, luma.data());
-        for (int x = 0; x < width; ++x) pixel[x] = std::uint8_t(int((0.72f + 0.25f * luma[std::size_t(x)]) * 255.0f + 0.5f) - darkest_grey);
+        for (int x = 0; x < width; ++x)
+            pixel[x] = std::uint8_t(int((0.72f + 0.25f * luma[std::size_t(x)]) * 255.0f + 0.5f) - darkest_grey);
         if (!diff.deltas.empty()) {
             const float* delta = diff.deltas.pixel(0, y);
             for (int x = 0; x < width; ++x) {
                 if (delta[x] > diff.allowed_delta)
                     // Beyond the peak where the other picture has more bits.
-                    pixel[x] = bits == 32 ? failing(delta[x] / peak) : failing_by_delta[std::size_t(min(delta[x], peak))];
+                    pixel[x] =
+                        bits == 32 ? failing(delta[x] / peak) : failing_by_delta[std::size_t(min(delta[x], peak))];
                 else if (delta[x] > 0)
                     pixel[x] = std::uint8_t(tolerated_index);
             }
@@ -173,7 +179,8 @@ Image8 difference_picture(const AnyImage& expected, const Diff& diff) {
     const IndexedImage indexed = indexed_difference(expected, diff);
     Image8 out(indexed.indices.width, indexed.indices.height, 3);
     for (std::size_t i = 0; i < indexed.indices.samples.size(); ++i)
-        std::copy_n(indexed.palette[indexed.indices.samples[i]].begin(), 3, out.samples.begin() + std::ptrdiff_t(3 * i));
+        std::copy_n(indexed.palette[indexed.indices.samples[i]].begin(), 3,
+                    out.samples.begin() + std::ptrdiff_t(3 * i));
     return out;
 }
 

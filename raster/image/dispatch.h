@@ -19,7 +19,7 @@
 #define RASTER_DISPATCHED(name, body, parameters, arguments)                        \
     void name##_anywhere parameters { body arguments; }                             \
     __attribute__((target("avx2"))) void name##_avx2 parameters { body arguments; } \
-    void (*const name) parameters = __builtin_cpu_supports("avx2") ? name##_avx2 : name##_anywhere;
+    void(*const name) parameters = __builtin_cpu_supports("avx2") ? name##_avx2 : name##_anywhere;
 #else
 #define RASTER_DISPATCHED(name, body, parameters, arguments) \
     void name parameters { body arguments; }

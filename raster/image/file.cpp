@@ -210,7 +210,8 @@ Result<Bytes> read_all(const std::string& path, int fd, std::size_t expected, st
 }  // namespace
 
 Status write_file(const std::string& path, std::span<const std::byte> bytes, Keep keep) {
-    return write_file_in_pieces(path, [&](const Sink& sink) { sink(bytes); }, keep);
+    return write_file_in_pieces(
+        path, [&](const Sink& sink) { sink(bytes); }, keep);
 }
 
 Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce, Keep keep) {

@@ -109,7 +109,9 @@ private:
     F at(Result from, int o, int i) const { return load<F>(result_of(from, o) + i); }
     float* source(int plane) { return source_.data() + plane * source_stride_; }
     float* plane(Plane which, int y) { return across_[which].row(y); }
-    const float* result_of(Result which, int o) const { return results_.data() + (which * rows_at_once + o) * result_stride_; }
+    const float* result_of(Result which, int o) const {
+        return results_.data() + (which * rows_at_once + o) * result_stride_;
+    }
     float* result(Result which, int o = 0) { return results_.data() + (which * rows_at_once + o) * result_stride_; }
 
     /// A row at the places that a filter along x looks at.
@@ -160,8 +162,8 @@ struct FlipTile {
     int x0, y0, y1;
 };
 
-void fill_tile(const Display& expected_display, const Display& actual_display, const Filters& filters, const FlipTile& tile,
-               ImageF& map) {
+void fill_tile(const Display& expected_display, const Display& actual_display, const Filters& filters,
+               const FlipTile& tile, ImageF& map) {
     const int width = std::min(flip_tile_width, map.width - tile.x0), y1 = std::min(tile.y1, map.height);
     const int radius = filters.radius();
     Filtered expected(expected_display, filters, tile.x0, width), actual(actual_display, filters, tile.x0, width);
@@ -188,13 +190,17 @@ void add_errors(const AnyImage& expected_image, const AnyImage& actual_image, co
     std::vector<FlipTile> all_tiles;
     for (int x = 0; x < map.width; x += flip_tile_width)
         for (int y = 0; y < map.height; y += flip_tile_height) {
-            if (!cells.any_in(x - radius, y - radius, x + flip_tile_width + radius, y + flip_tile_height + radius)) continue;
+            if (!cells.any_in(x - radius, y - radius, x + flip_tile_width + radius, y + flip_tile_height + radius))
+                continue;
             const bool grows = !all_tiles.empty() && all_tiles.back().x0 == x && all_tiles.back().y1 == y &&
                                y - all_tiles.back().y0 < highest_flip_tile;
-            if (grows) all_tiles.back().y1 += flip_tile_height;
-            else all_tiles.push_back({x, y, y + flip_tile_height});
+            if (grows)
+                all_tiles.back().y1 += flip_tile_height;
+            else
+                all_tiles.push_back({x, y, y + flip_tile_height});
         }
-    tiles::parallel_for(all_tiles.size(), [&](std::size_t i) { fill_tile(expected, actual, filters, all_tiles[i], map); });
+    tiles::parallel_for(all_tiles.size(),
+                        [&](std::size_t i) { fill_tile(expected, actual, filters, all_tiles[i], map); });
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ const float* decoding_table() {
 
 /// Asks for a row that will be read after the present one. In tiles, the processor would not guess it.
 template <class T>
-void fetch_soon([[maybe_unused]] const Image<T>& image, [[maybe_unused]] int x, [[maybe_unused]] int y, [[maybe_unused]] int count) {
+void fetch_soon([[maybe_unused]] const Image<T>& image, [[maybe_unused]] int x, [[maybe_unused]] int y,
+                [[maybe_unused]] int count) {
 #if defined(__GNUC__)
     constexpr int rows_ahead = 4, line = 64;
     if (y < 0 || y + rows_ahead >= image.height || count <= 0) return;

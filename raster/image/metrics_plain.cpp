@@ -78,7 +78,8 @@ RowSums<std::uint8_t> compare_row(const std::uint8_t* a, const std::uint8_t* b, 
         for (int x = 0; x < count; ++x) differing += largest[x] != 0;
         for (int x = 0; x < count; ++x) deltas[start + x] = float(largest[x]);
         sums.differing += differing;
-        if (float(most) > sums.max) sums.max = most, sums.max_x = start + int(std::find(largest, largest + count, most) - largest);
+        if (float(most) > sums.max)
+            sums.max = most, sums.max_x = start + int(std::find(largest, largest + count, most) - largest);
         a += samples, b += samples;
     }
     return sums;

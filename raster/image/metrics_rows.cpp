@@ -62,7 +62,8 @@ struct BothSides {
     int rows;
 };
 
-RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows, int count, float* const* out, bool add) {
+RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows, int count, float* const* out,
+                               bool add) {
     constexpr int packs = 2, block = packs * pack_size;
     for (int i = 0; i < (count + row_block - 1) / row_block * row_block; i += block) {
         Pack sums[rows_at_once][packs];
@@ -87,13 +88,14 @@ RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows
 RASTER_INLINE void luma_of(const std::uint8_t* __restrict rgb, int count, float* __restrict luma) {
     constexpr float scale = 1.0f / 255.0f;
     for (int i = 0; i < count; ++i)
-        luma[i] = 0.299f * (float(rgb[3 * i]) * scale) + 0.587f * (float(rgb[3 * i + 1]) * scale) + 0.114f * (float(rgb[3 * i + 2]) * scale);
+        luma[i] = 0.299f * (float(rgb[3 * i]) * scale) + 0.587f * (float(rgb[3 * i + 1]) * scale) +
+                  0.114f * (float(rgb[3 * i + 2]) * scale);
 }
 
 constexpr FilterSymmetry e = FilterSymmetry::even, o = FilterSymmetry::odd;
-#define RASTER_ROW_SUM(name, ...)                                                                        \
-    RASTER_DISPATCHED(name, (sum<__VA_ARGS__>),                                                          \
-                      (const Filter* filters, int radius, const float* const* rows, int count),          \
+#define RASTER_ROW_SUM(name, ...)                                                               \
+    RASTER_DISPATCHED(name, (sum<__VA_ARGS__>),                                                 \
+                      (const Filter* filters, int radius, const float* const* rows, int count), \
                       (filters, radius, rows, count))
 RASTER_ROW_SUM(sum_e, e)
 RASTER_ROW_SUM(sum_o, o)
@@ -116,7 +118,8 @@ void filter_rows(FilterSymmetry symmetry, const std::vector<float>& weights, con
 
 void luma_of_bytes(const std::uint8_t* rgb, int count, float* luma) { luma_here(rgb, count, luma); }
 
-void filter_columns(const std::vector<float>& weights, const float* const* rows, int count, float* const* out, bool add) {
+void filter_columns(const std::vector<float>& weights, const float* const* rows, int count, float* const* out,
+                    bool add) {
     const int radius = int(weights.size()) - 1;
     BothSides filter = {};
     filter.rows = 2 * radius + rows_at_once;

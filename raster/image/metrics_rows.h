@@ -29,8 +29,8 @@ inline constexpr int rows_at_once = 4, most_weights = 128;
 void filter_columns(const std::vector<float>& weights, const float* const* rows, int count, float* const* out,
                     bool add = false);
 
-/// Several sums of filter_rows over the same rows at once, which saves loads: of two even filters; an odd and an even one; an
-/// even, an odd and an even one. The same bits as one after the other. All have as many weights.
+/// Several sums of filter_rows over the same rows at once, which saves loads: of two even filters; an odd and an even
+/// one; an even, an odd and an even one. The same bits as one after the other. All have as many weights.
 void filter_rows_even_even(const std::vector<float>& weights_1, const std::vector<float>& weights_2,
                            const float* const* rows, int count, float* out_1, float* out_2);
 void filter_rows_odd_even(const std::vector<float>& odd, const std::vector<float>& even, const float* const* rows,

@@ -101,7 +101,8 @@ double sum_of_deficits(const Display& expected, const Display& actual, const Til
     std::array<double, 8> sums{};  // side by side, so that they need not wait for each other
     int added = tile.y0 - radius;
     for (int row = tile.y0; row < tile.y1; row += rows_at_once) {
-        for (; added < row + rows_at_once + radius; ++added) add_row(expected, actual, tile.x0, added, width, weights, *scratch);
+        for (; added < row + rows_at_once + radius; ++added)
+            add_row(expected, actual, tile.x0, added, width, weights, *scratch);
         go_to_rows(row, width, weights, *scratch);
         for (int o = 0; o < std::min(rows_at_once, tile.y1 - row); ++o) {
             std::array<float, ssim_tile_width> deficits;
@@ -135,8 +136,10 @@ double ssim_over(const AnyImage& expected_image, const AnyImage& actual_image, c
             if (!cells.any_in(tile.x0 - radius, tile.y0 - radius, tile.x1 + radius, tile.y1 + radius)) continue;
             const bool grows = !all_tiles.empty() && all_tiles.back().x0 == x && all_tiles.back().y1 == y &&
                                y - all_tiles.back().y0 < highest_ssim_tile;
-            if (grows) all_tiles.back().y1 = tile.y1;
-            else all_tiles.push_back(tile);
+            if (grows)
+                all_tiles.back().y1 = tile.y1;
+            else
+                all_tiles.push_back(tile);
         }
     std::vector<double> deficits(all_tiles.size());
     tiles::parallel_for(all_tiles.size(), [&](std::size_t i) {

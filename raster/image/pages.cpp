@@ -21,7 +21,8 @@ void back_with_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t
     tiles::parallel_for((end - first + piece - 1) / piece, [&](std::size_t i) {
         const std::uintptr_t start = first + i * piece;
         // Where it fails, as on kernels before 5.14, pages come at the first touch.
-        (void)::madvise(reinterpret_cast<void*>(start), std::min<std::uintptr_t>(piece, end - start), MADV_POPULATE_WRITE);
+        (void)::madvise(reinterpret_cast<void*>(start), std::min<std::uintptr_t>(piece, end - start),
+                        MADV_POPULATE_WRITE);
     });
 #endif
 }

@@ -12,7 +12,7 @@ namespace raster {
 
 /// A picture of at most 256 colours: for each pixel the number of its colour.
 struct IndexedImage {
-    Image8 indices;                                   ///< one channel
+    Image8 indices;                                    ///< one channel
     std::vector<std::array<std::uint8_t, 3>> palette;  ///< RGB
 
     bool empty() const { return indices.empty(); }

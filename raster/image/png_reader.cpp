@@ -90,7 +90,8 @@ bool inflate(File data, Byte* out, std::size_t size) {
     const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
     if (!decompressor) throw std::bad_alloc();
-    return libdeflate_zlib_decompress(decompressor.get(), data.data(), data.size(), out, size, nullptr) == LIBDEFLATE_SUCCESS;
+    return libdeflate_zlib_decompress(decompressor.get(), data.data(), data.size(), out, size, nullptr) ==
+           LIBDEFLATE_SUCCESS;
 }
 
 // The bytes of a pixel, widened so that their sums fit: 8 at most, the rest is 0.
@@ -177,8 +178,8 @@ bool undo_filter(int filter, const Byte* in, const Byte* above, Byte* out, std::
     }
 }
 
-/// Two rows of one filter, 3 or 4, the second a pixel behind the first: each pixel waits for the one to its left, so that
-/// two rows take little longer than one. `out_2` must not lie in `in_1`.
+/// Two rows of one filter, 3 or 4, the second a pixel behind the first: each pixel waits for the one to its left, so
+/// that two rows take little longer than one. `out_2` must not lie in `in_1`.
 template <int step, int filter>
 void undo_two(const Byte* in_1, const Byte* in_2, const Byte* above, Byte* out_1, Byte* out_2, std::size_t size) {
     Predicted<step, filter> first, second;

@@ -129,7 +129,8 @@ Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
     // Independent of each other, and each takes its time.
     using Job = std::function<Status()>;
     const auto write_picture = [&](const Result<Bytes>& png, const std::string& file) -> Status {
-        return png ? write_file((fs::path(folder_) / file).string(), *png, Keep::until_power_fails) : Status(png.error());
+        return png ? write_file((fs::path(folder_) / file).string(), *png, Keep::until_power_fails)
+                   : Status(png.error());
     };
     const auto keep = [](Result<Bytes> made, Bytes& bytes) -> Status {
         if (!made) return made.error();
@@ -167,7 +168,8 @@ Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
     });
     std::vector<Status> results(jobs.size(), Status(Done{}));
     tiles::parallel_for(jobs.size(), [&](std::size_t i) { results[i] = jobs[i](); });
-    for (const Bytes* bytes : {&entry.expected_picture, &entry.actual_picture, &entry.difference_picture, &entry.flip_picture})
+    for (const Bytes* bytes :
+         {&entry.expected_picture, &entry.actual_picture, &entry.difference_picture, &entry.flip_picture})
         embedded_bytes_ += bytes->size();
     for (Status& result : results)
         if (!result) return std::move(result);
@@ -179,7 +181,8 @@ Status DiffReport::finish() try {
     if (!all_pass()) {
         if (const Status made = make_folder(folder); !made) return made;
         const auto produce = [&](const Sink& sink) { write_report_page(entries_, folder_, sink); };
-        if (Status written = write_file_in_pieces(page.string(), produce, Keep::until_power_fails); !written) return written;
+        if (Status written = write_file_in_pieces(page.string(), produce, Keep::until_power_fails); !written)
+            return written;
         const std::string facts = json();
         return write_file(data.string(), std::as_bytes(std::span(facts)), Keep::until_power_fails);
     }

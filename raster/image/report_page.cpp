@@ -24,9 +24,12 @@ void write_url(const Bytes& picture, const Sink& sink) {
     for (std::size_t start = 0; start < picture.size() + piece; start += piece) {
         std::swap(written, next);
         tiles::parallel_for(2, [&](std::size_t i) {
-            if (i == 0) write_text(written, sink);
-            else if (start >= picture.size()) next.clear();
-            else next = base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start)));
+            if (i == 0)
+                write_text(written, sink);
+            else if (start >= picture.size())
+                next.clear();
+            else
+                next = base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start)));
         });
     }
 }
@@ -47,10 +50,11 @@ const char* picture_type(const Bytes& file) {
 void write_report_page(const std::vector<ReportEntry>& entries, const std::string& folder, const Sink& sink) {
     const auto write = [&](std::string_view text) { write_text(text, sink); };
     // The policy forbids the page every connection, whatever a picture's name says.
-    write("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-          "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n<title>raster diff</title>\n<style>\n");
+    write(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+        "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n<title>raster diff</title>\n<style>\n");
     write(report_parts::style);
     write("</style>\n</head>\n<body>\n");
     write(report_parts::body);
