@@ -111,34 +111,70 @@ inline void gather2(const std::int32_t* base, IntPack<N> index, IntPack<N>& a, I
     for (int i = 0; i < N; ++i) a.v[i] = base[index.v[i]], b.v[i] = base[index.v[i] + 1];
 }
 
-/// Four consecutive floats at base + 4 * index in each lane, transposed: record i's four floats end in lane i of a, b, c, d.
-inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d) {
-    const float* p = base + 4 * std::ptrdiff_t(index);
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+namespace detail {
+/// In each half of the registers: row i becomes column i. Packs a to d hold the result.
+inline void transpose4(__m256 r0, __m256 r1, __m256 r2, __m256 r3, FloatPack<8>& a, FloatPack<8>& b, FloatPack<8>& c,
+                       FloatPack<8>& d) {
+    const __m256 t0 = _mm256_unpacklo_ps(r0, r1), t1 = _mm256_unpackhi_ps(r0, r1);
+    const __m256 t2 = _mm256_unpacklo_ps(r2, r3), t3 = _mm256_unpackhi_ps(r2, r3);
+    using V = FloatPack<8>::V;
+    a.v = bits<V>(_mm256_shuffle_ps(t0, t2, 0x44));
+    b.v = bits<V>(_mm256_shuffle_ps(t0, t2, 0xee));
+    c.v = bits<V>(_mm256_shuffle_ps(t1, t3, 0x44));
+    d.v = bits<V>(_mm256_shuffle_ps(t1, t3, 0xee));
+}
+}  // namespace detail
+#endif
+
+/// Four consecutive floats at base + stride * index in each lane, transposed: record i's four end in lane i of a, b, c, d.
+inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d, std::ptrdiff_t stride = 4) {
+    const float* p = base + stride * index;
     a = p[0], b = p[1], c = p[2], d = p[3];
 }
 template <int N>
 inline void gather4(const float* base, IntPack<N> index, FloatPack<N>& a, FloatPack<N>& b, FloatPack<N>& c,
-                    FloatPack<N>& d) {
-    const auto record = [&](int i) { return base + 4 * std::ptrdiff_t(std::uint32_t(index.v[i])); };
+                    FloatPack<N>& d, std::ptrdiff_t stride = 4) {
+    if constexpr (detail::is_pair<N>) {
+        FloatPack<N / 2> x[2][4];
+        for (int h = 0; h < 2; ++h) gather4(base, detail::half(index, h), x[h][0], x[h][1], x[h][2], x[h][3], stride);
+        a.v = {x[0][0].v, x[1][0].v}, b.v = {x[0][1].v, x[1][1].v};
+        c.v = {x[0][2].v, x[1][2].v}, d.v = {x[0][3].v, x[1][3].v};
+        return;
+    } else {
+        const auto record = [&](int i) { return base + stride * std::ptrdiff_t(std::uint32_t(index.v[i])); };
+#if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
+        if constexpr (N == 8) {
+            const auto two = [&](int i) {
+                return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(record(i))), _mm_loadu_ps(record(i + 4)), 1);
+            };
+            detail::transpose4(two(0), two(1), two(2), two(3), a, b, c, d);
+            return;
+        }
+#endif
+        for (int i = 0; i < N; ++i) {
+            const float* p = record(i);
+            a.v[i] = p[0], b.v[i] = p[1], c.v[i] = p[2], d.v[i] = p[3];
+        }
+    }
+}
+
+/// The reverse, for the first `count` lanes: lane i's four numbers to base + stride * i.
+template <int N>
+inline void scatter4(float* base, int count, std::ptrdiff_t stride, FloatPack<N> a, FloatPack<N> b, FloatPack<N> c,
+                     FloatPack<N> d) {
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
     if constexpr (N == 8) {
-        const auto two = [&](int i) {
-            return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(record(i))), _mm_loadu_ps(record(i + 4)), 1);
-        };
-        const __m256 r0 = two(0), r1 = two(1), r2 = two(2), r3 = two(3);
-        const __m256 t0 = _mm256_unpacklo_ps(r0, r1), t1 = _mm256_unpackhi_ps(r0, r1);
-        const __m256 t2 = _mm256_unpacklo_ps(r2, r3), t3 = _mm256_unpackhi_ps(r2, r3);
-        using V = typename FloatPack<N>::V;
-        a.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0x44));
-        b.v = detail::bits<V>(_mm256_shuffle_ps(t0, t2, 0xee));
-        c.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0x44));
-        d.v = detail::bits<V>(_mm256_shuffle_ps(t1, t3, 0xee));
+        const auto in = [](FloatPack<N> x) { return detail::bits<__m256>(x.v); };
+        FloatPack<N> r[4];
+        detail::transpose4(in(a), in(b), in(c), in(d), r[0], r[1], r[2], r[3]);
+        for (int i = 0; i < count; ++i) std::memcpy(base + stride * i, reinterpret_cast<const float*>(&r[i & 3].v) + (i & 4), 16);
         return;
     }
 #endif
-    for (int i = 0; i < N; ++i) {
-        const float* p = record(i);
-        a.v[i] = p[0], b.v[i] = p[1], c.v[i] = p[2], d.v[i] = p[3];
+    for (int i = 0; i < count; ++i) {
+        float* p = base + stride * i;
+        p[0] = a.v[i], p[1] = b.v[i], p[2] = c.v[i], p[3] = d.v[i];
     }
 }
 

@@ -26,7 +26,13 @@ void Target::write_clear(std::size_t index, int count) {
 
 void Target::write_clear_box(int x, int y, int width, int height) {
     const int columns = std::min(width, width_ - x);
-    for (int row = y; row < std::min(y + height, height_); ++row) write_clear(index(x, row), columns);
+    const int rows = std::min(height, height_ - y);
+    if (columns <= 0 || rows <= 0) return;
+    if (columns == width_) {
+        write_clear(index(0, y), columns * rows);
+    } else {
+        for (int row = 0; row < rows; ++row) write_clear(index(x, y + row), columns);
+    }
 }
 
 void Target::write_pending_clear() {

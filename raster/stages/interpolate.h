@@ -9,8 +9,8 @@ namespace raster {
 /// The planes of one triangle's varyings. A smooth varying is divided by w, then linear in the window.
 template <Shader S, class F>
 struct VaryingPlanes {
-    std::array<Plane<F>, std::size_t(varying_count<S>)> planes;
     Plane<F> oow;
+    std::array<Plane<F>, std::size_t(varying_count<S>)> planes;
 };
 
 /// a[0..2] are the varyings of the corners in setup order; the flat ones come from the provoking vertex, which is the

@@ -28,22 +28,34 @@ void write_block_depth(const TileBuffer& tile, int block, Target& target) {
     }
 }
 
-void clear_block(const TileBuffer& tile, int block, Target& target) {
-    const int x = tile.x + block_x(block), y = tile.y + block_y(block);
-    for (int row = y; row < std::min(y + block_size, target.height()); ++row)
-        target.write_clear(target.index(x, row), std::min(block_size, target.width() - x));
+/// The blocks of a row of the tile, as bits, whose clear is to be written.
+std::uint32_t blocks_to_clear(const TileBuffer& tile, int by, bool colors_follow) {
+    std::uint32_t r = 0;
+    for (int bx = 0; bx < blocks_per_row; ++bx) {
+        const int block = by * blocks_per_row + bx;
+        const bool uniform = tile.uniform >> block & 1;
+        if (!uniform || tile.block_slot[block] == 0 || !colors_follow) r |= 1u << bx;
+    }
+    return r;
 }
 
 }  // namespace
 
-void resolve_depth(TileBuffer& tile, Target& target, bool depth_write, bool colors_follow) {
+void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool depth_write, bool colors_follow) {
     if (tile.whole) split_tile(tile);
-    for (int block = 0; block < block_count; ++block) {
-        if (tile.x + block_x(block) >= target.width() || tile.y + block_y(block) >= target.height()) continue;
-        const bool uniform = tile.uniform >> block & 1;
-        const bool untouched = uniform && tile.block_slot[block] == 0;
-        if (tile.cleared && (untouched || !uniform || !colors_follow)) clear_block(tile, block, target);
-        if (!untouched && (depth_write || tile.cleared)) write_block_depth(tile, block, target);
+    for (int by = 0; by < blocks_per_row && tile.y + by * block_size < target.height(); ++by) {
+        if (clear_wanted)
+            for (std::uint32_t rest = blocks_to_clear(tile, by, colors_follow); rest;) {
+                // Neighbours at one go: long rows are written faster.
+                const int first = std::countr_zero(rest), run = std::countr_one(rest >> first);
+                target.write_clear_box(tile.x + first * block_size, tile.y + by * block_size, run * block_size, block_size);
+                rest &= ~(((1u << run) - 1) << first);
+            }
+        if (!depth_write && !clear_wanted) continue;
+        for (int block = by * blocks_per_row; block < (by + 1) * blocks_per_row; ++block) {
+            const bool untouched = (tile.uniform >> block & 1) && tile.block_slot[block] == 0;
+            if (!untouched && tile.x + block_x(block) < target.width()) write_block_depth(tile, block, target);
+        }
     }
 }
 
@@ -73,6 +85,36 @@ std::uint64_t visible_pixels(const TileBuffer& tile, int block) {
 
 std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot) {
     return pixels_where(tile, block, [slot](IntN slots) { return slots == IntN(slot); });
+}
+
+void number_visible_slots(Workspace& workspace) {
+    TileBuffer& tile = workspace.tile;
+    std::vector<std::int32_t>& place = workspace.place;
+    place.assign(tile.slots.size(), -1);
+    place[0] = 0;
+    workspace.visible.resize(std::min<std::size_t>(tile.slots.size(), tile_pixels + 1) + 1);
+    std::int32_t* const visible = workspace.visible.data();
+    std::int32_t count = visible[0] = 0;
+    ++count;
+    // No branch: whether a slot was met before is hard to foretell. A slot that was met is written behind the list's end.
+    const auto number = [&](std::int32_t& slot) {
+        const std::int32_t known = place[std::size_t(slot)];
+        visible[count] = slot;
+        const std::int32_t at = known < 0 ? count : known;
+        place[std::size_t(slot)] = at;
+        slot = at;
+        count += known < 0;
+    };
+    for (int block = 0; block < block_count; ++block) {
+        if (tile.uniform >> block & 1) {
+            number(tile.block_slot[block]);
+            continue;
+        }
+        std::int32_t* const owners = tile.slot + first_pixel_of_block(block);
+        for (int row = 0; row < block_size; ++row)
+            for (int column = 0; column < block_size; ++column) number(owners[row * tile_size + column]);
+    }
+    workspace.visible.resize(std::size_t(count));
 }
 
 }  // namespace raster::tiles

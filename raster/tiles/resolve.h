@@ -6,9 +6,9 @@
 
 namespace raster::tiles {
 
-/// Writes a tile's depths to the target, and its pending clear where no triangle is visible. A clear's colours are left out
-/// below blocks of one triangle when `colors_follow`: when every plane of theirs is about to be written.
-void resolve_depth(TileBuffer& tile, Target& target, bool depth_write, bool colors_follow);
+/// Writes a tile's depths to the target, and with `clear_wanted` its pending clear where no triangle is visible. A clear's
+/// colours are left out below blocks of one triangle when `colors_follow`: when every plane of theirs is about to be written.
+void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool depth_write, bool colors_follow);
 
 /// The pixels of a block that belong to the target, as shade_block takes them.
 std::uint64_t pixels_in_target(const Target& target, int x, int y);
@@ -17,32 +17,40 @@ std::uint64_t pixels_in_target(const Target& target, int x, int y);
 std::uint64_t visible_pixels(const TileBuffer& tile, int block);
 std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot);
 
+/// Lists the slots that are seen in `visible`, and puts their places in it where the tile named the slots.
+void number_visible_slots(Workspace& workspace);
+
 /// Shades the visible pixels of the workspace's tile.
 template <HasFragment S>
 void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Target& target) {
     const TileBuffer& tile = workspace.tile;
+    number_visible_slots(workspace);
+    const std::span<const std::int32_t> visible = workspace.visible;
     static_assert(std::is_trivially_copyable_v<ShadingPlanes<S>>);
-    const auto planes = workspace.planes.get<ShadingPlanes<S>>(tile.slots.size());
-    std::vector<char>& ready = workspace.ready;
-    ready.assign(tile.slots.size(), 0);
-    const auto shade = [&](int block, std::int32_t slot, std::uint64_t mask) {
-        const std::size_t s = std::size_t(slot);
-        if (!ready[s]) planes[s] = make_shading_planes(context, tile.slots[s]), ready[s] = 1;
-        shade_block(context.shader, planes[s], target, Blend::off, tile.x + block_x(block), tile.y + block_y(block), mask);
-    };
+    ShadingPlanes<S>* const planes = workspace.planes.get<ShadingPlanes<S>>(visible.size()).data();
+    constexpr std::size_t pack = native_lanes;
+    for (std::size_t i = 1; i < visible.size(); i += pack)
+        make_shading_planes(context, std::span<const Slot>(tile.slots), visible.subspan(i, std::min(pack, visible.size() - i)),
+                            planes + i);
+
     for (int block = 0; block < block_count; ++block) {
-        const std::uint64_t in_target = pixels_in_target(target, tile.x + block_x(block), tile.y + block_y(block));
+        const int x = tile.x + block_x(block), y = tile.y + block_y(block);
+        const std::uint64_t in_target = pixels_in_target(target, x, y);
         if (in_target == 0) continue;
         if (tile.uniform >> block & 1) {
-            if (tile.block_slot[block] != 0) shade(block, tile.block_slot[block], in_target);
+            if (const std::int32_t owner = tile.block_slot[block]; owner != 0)
+                shade_block(context.shader, planes[owner], target, Blend::off, x, y, in_target);
             continue;
         }
-        for (std::uint64_t rest = visible_pixels(tile, block) & in_target; rest;) {
-            const int first = std::countr_zero(rest);
-            const std::int32_t slot = tile.slot[first_pixel_of_block(block) + first / block_size * tile_size + first % block_size];
-            const std::uint64_t mine = pixels_of_slot(tile, block, slot) & rest;
-            rest &= ~mine;
-            shade(block, slot, mine);
+        const std::uint64_t mask = visible_pixels(tile, block) & in_target;
+        if (mask == 0) continue;
+        const std::int32_t* const owners = tile.slot + first_pixel_of_block(block);
+        const int first = std::countr_zero(mask);
+        const std::int32_t owner = owners[first / block_size * tile_size + first % block_size];
+        if ((mask & ~pixels_of_slot(tile, block, owner)) == 0) {
+            shade_block(context.shader, planes[owner], target, Blend::off, x, y, mask);
+        } else {
+            shade_mixed(context.shader, planes, owners, target, x, y, mask);
         }
     }
 }

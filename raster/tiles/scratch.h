@@ -13,13 +13,14 @@
 
 namespace raster::tiles {
 
-/// Uninitialised memory that grows and is never cleared.
+/// Uninitialised memory that grows and is never cleared. Behind its end stand 16 bytes that may be read: packs load four
+/// numbers at once.
 class ScratchBuffer {
 public:
     template <class T>
     std::span<T> get(std::size_t count) {
-        if (count * sizeof(T) > size_) {
-            size_ = count * sizeof(T);
+        if (count * sizeof(T) + 16 > size_) {
+            size_ = count * sizeof(T) + 16;
             bytes_.reset();
             bytes_ = std::unique_ptr<std::byte[]>(new std::byte[size_]);
         }
@@ -83,7 +84,7 @@ private:
 struct Scratch {
     ScratchBuffer window, outcodes, varyings;
     std::vector<ChunkBins> chunks;
-    std::vector<char> touched;
+    std::vector<char> touched, cleared_rows;
     WorkspacePool workspaces;
 
     /// How much memory it holds.

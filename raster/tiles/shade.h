@@ -1,4 +1,4 @@
-// shade.h: driver of stages 9 to 11: interpolate, shade and blend pixels of one triangle.
+// shade.h: driver of stages 9 to 11: interpolate, shade and blend pixels, of one triangle or of several.
 #pragma once
 
 #include <bit>
@@ -6,77 +6,55 @@
 #include <raster/stages/blend.h>
 #include <raster/stages/fragment.h>
 #include <raster/stages/interpolate.h>
-#include <raster/tiles/bin.h>
+#include <raster/tiles/planes.h>
 #include <raster/tiles/tile.h>
-#include <raster/tiles/vertices.h>
 
 namespace raster::tiles {
 
-/// What shading adds to a DrawContext: the shader, and the varyings of vertices and of each chunk's clipped pieces.
-template <Shader S>
-struct ShadingContext {
-    const DrawContext& draw;
-    std::span<const ChunkBins> chunks;
-    std::span<const char> touched;  ///< a tile: whether any chunk has entries for it
-    const S& shader;
-    std::span<const VaryingArray<S>> varyings;
-    std::span<const std::vector<std::array<VaryingArray<S>, 3>>> piece_varyings;
-};
-
-/// A triangle's planes, and what else its fragments are told.
-template <Shader S>
-struct ShadingPlanes {
-    VaryingPlanes<S, float> varyings;
-    DepthPlane<float> depth;
-    std::int32_t triangle;
-    bool front_facing;
-};
-
-/// The planes of a bin's entry.
-template <Shader S>
-inline ShadingPlanes<S> make_shading_planes(const ShadingContext<S>& context, const Slot& slot) {
-    const DrawContext& draw = context.draw;
-    const ChunkBins& bins = context.chunks[slot.chunk];
-    const LargeTriangle* large = slot.entry & large_bit ? &bins.large[slot.entry & ~large_bit] : nullptr;
-    const std::uint32_t triangle = large ? large->triangle : slot.entry;
-    const auto window = draw.corner_windows(bins, slot.entry);
-    std::array<const VaryingArray<S>*, 3> varyings;
-    if (large && large->piece >= 0) {
-        for (std::size_t c = 0; c < 3; ++c)
-            varyings[c] = &context.piece_varyings[slot.chunk][std::size_t(large->piece)][c];
-    } else {
-        const auto corners = draw.corners(triangle);
-        for (std::size_t c = 0; c < 3; ++c) varyings[c] = &context.varyings[corners[c] - draw.first_vertex];
-    }
-    const bool counter_clockwise = slot.front_facing == (draw.state.front_face == FrontFace::counter_clockwise);
-    const auto order = setup_order(counter_clockwise ? 1 : -1);
-    const auto at = [&](std::size_t i) { return std::size_t(order[i]); };
-    const PlaneBasis<float> basis = make_plane_basis(window[at(0)], window[at(1)], window[at(2)]);
-    return {make_varying_planes<S, float>(basis, {varyings[at(0)], varyings[at(1)], varyings[at(2)]},
-                                          {window[at(0)].oow, window[at(1)].oow, window[at(2)].oow}),
-            slot.depth, std::int32_t(triangle), slot.front_facing};
-}
-
-/// One triangle's planes along a column of pixels.
+/// Triangles' planes along a column of pixels: of one triangle, or of one a lane.
 template <HasFragment S, class F>
 struct ShadingColumn {
     VaryingColumns<S, F> varyings;
     Column<F> depth;
     F depth_offset, px;
+    Int<F> triangle;
+    Mask<F> front_facing;
 
     ShadingColumn(const ShadingPlanes<S>& p, F px)
-        : varyings(columns_at<S, F>(p.varyings, px)),
-          depth(column_at(Plane<F>{p.depth.origin, p.depth.dadx, p.depth.dady}, px)),
-          depth_offset(p.depth.offset),
-          px(px) {}
+        : varyings(columns_at<S, F>(from_numbers<S, float>(p.varyings), px)),
+          depth(column_at(Plane<F>{p.depth[0], p.depth[1], p.depth[2]}, px)),
+          depth_offset(p.depth[3]),
+          px(px),
+          triangle(p.triangle),
+          front_facing(p.front_facing != 0) {}
+
+    /// Lane i is of the triangle planes[which[i]].
+    ShadingColumn(const ShadingPlanes<S>* planes, Int<F> which, F px) : px(px) {
+        constexpr std::ptrdiff_t stride = sizeof(ShadingPlanes<S>) / sizeof(float);
+        PlaneNumbers<S, F> numbers;
+        for (std::size_t k = 0; k < numbers.size(); k += 4)
+            gather4(planes->varyings.data() + k, which, numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3], stride);
+        varyings = columns_at<S, F>(from_numbers<S, F>(numbers), px);
+        if constexpr (HasPlacedFragment<S>) {
+            Plane<F> plane;
+            gather4(planes->depth, which, plane.origin, plane.dadx, plane.dady,
+                    depth_offset, stride);
+            F triangle_bits, front_bits, unused0, unused1;
+            gather4(reinterpret_cast<const float*>(&planes->triangle), which, triangle_bits, front_bits, unused0, unused1,
+                    stride);
+            depth = column_at(plane, px);
+            triangle = as_int(triangle_bits);
+            front_facing = as_int(front_bits) != Int<F>(0);
+        }
+    }
 };
 
 /// The outputs of the pixels (px, py), one in each lane.
 template <HasFragment S, class F>
-inline OutputArray<S, F> shade_pixels(const S& shader, const ShadingPlanes<S>& p, const ShadingColumn<S, F>& column, F py) {
+inline OutputArray<S, F> shade_pixels(const S& shader, const ShadingColumn<S, F>& column, F py) {
     F oow = value_at(column.varyings.oow, py);
     FragmentInput<F> at{{column.px + F(0.5f), py + F(0.5f)}, value_at(column.depth, py) + column.depth_offset, oow,
-                        Mask<F>(p.front_facing), Int<F>(p.triangle)};
+                        column.front_facing, column.triangle};
     return shade_fragment<S, F>(shader, interpolate<S, F>(column.varyings, py, oow), at);
 }
 
@@ -126,50 +104,23 @@ inline void write_row(Target& target, std::size_t first, std::uint32_t bits, Ble
     }
 }
 
-/// Shades pixels of one triangle in the 8 x 8 block that begins at pixel (x, y) of the target: bit 8 r + c of `mask` is the
-/// pixel in row r and column c, and is set for pixels of the target only. The one place where a draw runs its shader's
-/// fragment function.
-template <HasFragment S>
-RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, Blend blend, int x, int y,
-                                std::uint64_t mask) {
-    // Copies, so that the compiler sees that stores to the target change neither.
-    S shader = shader_in;
-    ShadingPlanes<S> planes = planes_in;
-    constexpr std::uint64_t pack_bits = (1u << native_lanes) - 1, first_column = 0x0101010101010101u;
+/// Pixels of an 8 x 8 block as a mask: bit 8 r + c is the pixel in row r and column c.
+inline constexpr std::uint64_t first_column = 0x0101010101010101u;
+inline constexpr std::uint64_t pack_bits = (1u << native_lanes) - 1;
 
-    // Rows where they are well filled: what the rows share is computed once.
-    const int pixels = std::popcount(mask);
+/// Whether a block's pixels are shaded row by row, because the rows are well filled; else pixels from anywhere in the block
+/// share a pack.
+inline bool worth_rows(const Target& target, int x, std::uint64_t mask) {
     std::uint64_t rows = mask | mask >> 4;
     rows = (rows | rows >> 2);
     rows = (rows | rows >> 1) & first_column;
-    if (x + block_size <= target.width() && 2 * pixels >= block_size * std::popcount(rows)) {
-        for (int c = 0; c < block_size; c += native_lanes) {
-            std::uint64_t rest = mask & (first_column * pack_bits) << c;
-            if (rest == 0) continue;
-            const auto take_row = [&](int& row) {
-                row = std::countr_zero(rest) / block_size;
-                const std::uint32_t bits = std::uint32_t(rest >> (row * block_size + c) & pack_bits);
-                rest &= ~(pack_bits << (row * block_size + c));
-                return bits;
-            };
-            FloatN px = to_float(IntN(x + c) + lane_index<FloatN>());
-            ShadingColumn<S, FloatPair> column(planes, FloatPair(FloatPair::V{px.v, px.v}));
-            while (rest) {
-                int row0, row1;
-                const std::uint32_t bits0 = take_row(row0);
-                row1 = row0;
-                const std::uint32_t bits1 = rest ? take_row(row1) : 0;
-                FloatPair py(FloatPair::V{FloatN(float(y + row0)).v, FloatN(float(y + row1)).v});
-                const OutputArray<S, FloatPair> out = shade_pixels<S, FloatPair>(shader, planes, column, py);
-                OutputArray<S, FloatN> out0, out1;
-                for (std::size_t i = 0; i < out.size(); ++i) out0[i] = out[i].v.half[0], out1[i] = out[i].v.half[1];
-                write_row<S>(target, target.index(x + c, y + row0), bits0, blend, out0);
-                if (bits1) write_row<S>(target, target.index(x + c, y + row1), bits1, blend, out1);
-            }
-        }
-        return;
-    }
-    // Else pixels from anywhere in the block share a pack.
+    return x + block_size <= target.width() && 2 * std::popcount(mask) >= block_size * std::popcount(rows);
+}
+
+/// Takes the pixels of a mask in packs. For each, its columns and rows in lanes, dead lanes those of the block's first
+/// pixel, and the places in the target.
+template <class Function>
+inline void for_packs(const Target& target, int x, int y, std::uint64_t mask, const Function& function) {
     for (std::uint64_t rest = mask; rest;) {
         std::array<std::size_t, native_lanes> index;
         IntN px(x), py(y);
@@ -180,8 +131,83 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
             px.v[lane] = column, py.v[lane] = row;
             bits |= 1u << lane;
         }
-        ShadingColumn<S, FloatN> column(planes, to_float(px));
-        write_pixels<S>(target, index, bits, blend, shade_pixels<S, FloatN>(shader, planes, column, to_float(py)));
+        function(px, py, bits, index);
+    }
+}
+
+/// Shades pixels of one triangle in the block that begins at pixel (x, y) of the target; `mask` holds pixels of the target
+/// only. With shade_mixed the place where a draw runs its shader's fragment function.
+template <HasFragment S>
+RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, Blend blend, int x, int y,
+                                std::uint64_t mask) {
+    // Copies, so that the compiler sees that stores to the target change neither.
+    S shader = shader_in;
+    ShadingPlanes<S> planes = planes_in;
+    if (!worth_rows(target, x, mask)) {
+        for_packs(target, x, y, mask, [&](IntN px, IntN py, std::uint32_t bits, const auto& index) {
+            ShadingColumn<S, FloatN> column(planes, to_float(px));
+            write_pixels<S>(target, index, bits, blend, shade_pixels<S, FloatN>(shader, column, to_float(py)));
+        });
+        return;
+    }
+    // What the rows share is computed once.
+    for (int c = 0; c < block_size; c += native_lanes) {
+        std::uint64_t rest = mask & (first_column * pack_bits) << c;
+        if (rest == 0) continue;
+        const auto take_row = [&](int& row) {
+            row = std::countr_zero(rest) / block_size;
+            const std::uint32_t bits = std::uint32_t(rest >> (row * block_size + c) & pack_bits);
+            rest &= ~(pack_bits << (row * block_size + c));
+            return bits;
+        };
+        FloatN px = to_float(IntN(x + c) + lane_index<FloatN>());
+        ShadingColumn<S, FloatPair> column(planes, FloatPair(FloatPair::V{px.v, px.v}));
+        while (rest) {
+            int row0, row1;
+            const std::uint32_t bits0 = take_row(row0);
+            row1 = row0;
+            const std::uint32_t bits1 = rest ? take_row(row1) : 0;
+            FloatPair py(FloatPair::V{FloatN(float(y + row0)).v, FloatN(float(y + row1)).v});
+            const OutputArray<S, FloatPair> out = shade_pixels<S, FloatPair>(shader, column, py);
+            OutputArray<S, FloatN> out0, out1;
+            for (std::size_t i = 0; i < out.size(); ++i) out0[i] = out[i].v.half[0], out1[i] = out[i].v.half[1];
+            write_row<S>(target, target.index(x + c, y + row0), bits0, blend, out0);
+            if (bits1) write_row<S>(target, target.index(x + c, y + row1), bits1, blend, out1);
+        }
+    }
+}
+
+/// The same for pixels of several triangles: the pixel of bit i shows the triangle planes[owners[i % 8 + tile_size (i / 8)]].
+/// A pack's lanes may then be of different triangles, however small these are.
+template <HasFragment S>
+RASTER_FLATTEN void shade_mixed(const S& shader_in, const ShadingPlanes<S>* planes, const std::int32_t* owners, Target& target,
+                                int x, int y, std::uint64_t mask) {
+    S shader = shader_in;
+    if (!worth_rows(target, x, mask)) {
+        const std::int32_t any_owner = owners[std::countr_zero(mask) / block_size * tile_size + std::countr_zero(mask) % block_size];
+        for_packs(target, x, y, mask, [&](IntN px, IntN py, std::uint32_t bits, const auto& index) {
+            IntN which(any_owner);
+            for (std::uint32_t rest = bits; rest; rest &= rest - 1) {
+                const int lane = std::countr_zero(rest);
+                which.v[lane] = owners[(py.v[lane] - y) * tile_size + px.v[lane] - x];
+            }
+            ShadingColumn<S, FloatN> column(planes, which, to_float(px));
+            write_pixels<S>(target, index, bits, Blend::off, shade_pixels<S, FloatN>(shader, column, to_float(py)));
+        });
+        return;
+    }
+    for (int c = 0; c < block_size; c += native_lanes) {
+        FloatN px = to_float(IntN(x + c) + lane_index<FloatN>());
+        for (int row = 0; row < block_size; ++row) {
+            const std::uint32_t bits = std::uint32_t(mask >> (row * block_size + c) & pack_bits);
+            if (bits == 0) continue;
+            const std::int32_t* const owner = owners + row * tile_size + c;
+            // Pixels that nobody owns take a neighbour's planes: garbage, but tame garbage.
+            const IntN which = select(mask_of_bits<FloatN>(bits), load_int<FloatN>(owner), IntN(owner[std::countr_zero(bits)]));
+            ShadingColumn<S, FloatN> column(planes, which, px);
+            write_row<S>(target, target.index(x + c, y + row), bits, Blend::off,
+                         shade_pixels<S, FloatN>(shader, column, FloatN(float(y + row))));
+        }
     }
 }
 

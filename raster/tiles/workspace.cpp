@@ -28,7 +28,8 @@ std::size_t WorkspacePool::bytes() const {
     const std::lock_guard lock(mutex_);
     std::size_t sum = 0;
     for (const auto& w : free_)
-        sum += sizeof(Workspace) + w->planes.bytes() + w->ready.capacity() + w->tile.slots.capacity() * sizeof(Slot);
+        sum += sizeof(Workspace) + w->planes.bytes() + w->tile.slots.capacity() * sizeof(Slot) +
+               (w->visible.capacity() + w->place.capacity()) * sizeof(std::int32_t);
     return sum;
 }
 

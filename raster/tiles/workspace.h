@@ -7,8 +7,9 @@ namespace raster::tiles {
 
 struct Workspace {
     TileBuffer tile;
-    ScratchBuffer planes;     ///< shading planes, one a slot
-    std::vector<char> ready;  ///< which of them are made
+    std::vector<std::int32_t> visible;  ///< the slots that some pixel shows, in the order in which they are met; first 0
+    std::vector<std::int32_t> place;    ///< a slot: where it stands in `visible`, -1 where it does not
+    ScratchBuffer planes;               ///< shading planes of `visible`
 };
 
 /// A workspace from a pool, which gets it back at the end. Any number of threads may hold one each.
