@@ -5,6 +5,15 @@
 
 namespace raster {
 
+/// Asks for the memory at p, which will be read soon.
+inline void prefetch([[maybe_unused]] const void* p) {
+#if defined(__GNUC__)
+    __builtin_prefetch(p);
+    // Without it g++ takes a function that does nothing else for one without effect, and drops all calls of it.
+    asm volatile("");
+#endif
+}
+
 /// One lane of a pack, as a scalar.
 inline float lane(float x, int) { return x; }
 inline std::int32_t lane(std::int32_t x, int) { return x; }
@@ -76,6 +85,28 @@ inline IntPack<N> gather(const std::int32_t* base, IntPack<N> index) {
     IntPack<N> r;
     for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
     return r;
+}
+
+/// lanes<FloatN> triples of integers that follow each other in memory: lane i's are p[3 i] to p[3 i + 2].
+inline void load3(const std::int32_t* p, IntN& a, IntN& b, IntN& c) {
+#if defined(__AVX2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (native_lanes == 8) {
+        // Each of the three loads holds every third of the numbers wanted in lanes of its own: blend, then put in order.
+        const auto in = [&](int i) { return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p + i)); };
+        const auto third = [](__m256i x, __m256i y, __m256i z) {
+            return _mm256_blend_epi32(_mm256_blend_epi32(x, y, 0b10010010), z, 0b00100100);
+        };
+        const auto ordered = [](__m256i x, __m256i order) {
+            return detail::bits<IntN::V>(_mm256_permutevar8x32_epi32(x, order));
+        };
+        const __m256i x = in(0), y = in(8), z = in(16);
+        a.v = ordered(third(x, y, z), _mm256_setr_epi32(0, 3, 6, 1, 4, 7, 2, 5));
+        b.v = ordered(third(z, x, y), _mm256_setr_epi32(1, 4, 7, 2, 5, 0, 3, 6));
+        c.v = ordered(third(y, z, x), _mm256_setr_epi32(2, 5, 0, 3, 6, 1, 4, 7));
+        return;
+    }
+#endif
+    for (int i = 0; i < native_lanes; ++i) a.v[i] = p[3 * i], b.v[i] = p[3 * i + 1], c.v[i] = p[3 * i + 2];
 }
 
 /// base[index] and base[index + 1] in each lane: neighbours in memory cost one load.

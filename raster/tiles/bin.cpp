@@ -34,6 +34,7 @@ private:
         counts_.submitted += count;
         std::array<IntN, 3> places;
         MaskN bad(false);
+        draw_.prefetch_corners(start);
         draw_.load_corners(start, count, places);
         for (IntN& p : places) {
             // Unsigned comparison by way of a signed one; entries before the first wrap to large numbers.

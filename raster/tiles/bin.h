@@ -23,6 +23,11 @@ inline constexpr int tile_size = 1 << tile_bits;
 /// Set in a bin's entry when the rest is the number of a LargeTriangle of its chunk, else the entry is a triangle's number.
 inline constexpr std::uint32_t large_bit = 1u << 31;
 
+/// An entry of a tile's bins, and the chunk that it is of.
+struct TileEntry {
+    std::uint32_t chunk, entry;
+};
+
 /// One draw call as binning and rastering see it: positions, indices and state, and no shader. Vertices are those
 /// numbered first_vertex to first_vertex + window.size() - 1.
 struct DrawContext {
@@ -51,6 +56,7 @@ struct DrawContext {
     void load_corners(std::size_t start, int count, std::array<IntN, 3>& out) const {
         if (state.topology == Topology::triangles && !indices.empty()) {
             const std::uint32_t* p = indices.data() + 3 * start;
+            if (count == native_lanes) return load3(reinterpret_cast<const std::int32_t*>(p), out[0], out[1], out[2]);
             for (int lane = 0; lane < native_lanes; ++lane) {
                 const int i = 3 * std::min(lane, count - 1);
                 for (int c = 0; c < 3; ++c) out[std::size_t(c)].v[lane] = std::int32_t(p[i + c]);
@@ -65,20 +71,22 @@ struct DrawContext {
     /// Whether the vertex was shaded; numbers below the first wrap to large ones.
     bool exists(std::uint32_t vertex) const { return vertex - first_vertex < window.size(); }
 
-    /// Asks for the memory of entries to come: positions of the next few, indices of those after them.
-    void prefetch(const std::uint32_t* entry, const std::uint32_t* end) const {
-#if defined(__GNUC__)
-        if (indices.empty() || state.topology != Topology::triangles) return;
-        for (int i = 0; i < native_lanes; ++i) {
-            if (entry + i + 2 * native_lanes < end && !(entry[i + 2 * native_lanes] & large_bit))
-                __builtin_prefetch(indices.data() + 3 * std::size_t(entry[i + 2 * native_lanes]));
-            if (entry + i < end && !(entry[i] & large_bit))
-                for (int c = 0; c < 3; ++c) {
-                    const std::uint32_t* const p = indices.data() + 3 * std::size_t(entry[i]);
-                    __builtin_prefetch(&window[p[c] - first_vertex]);
-                }
+    /// Asks for the corners of the pack of triangles a few packs after the one at `start`.
+    void prefetch_corners(std::size_t start) const {
+        const std::size_t first = 3 * (start + 4 * std::size_t(native_lanes)), count = 3 * std::size_t(native_lanes);
+        if (state.topology != Topology::triangles || first + count > indices.size()) return;
+        for (const std::uint32_t v : indices.subspan(first, count)) prefetch(window.data() + (v - first_vertex));
+    }
+
+    /// Asks for what the entries of later packs need: corners of the next but one, indices of some after it.
+    void prefetch_entries(std::span<const TileEntry> entries) const {
+        constexpr std::size_t pack = std::size_t(native_lanes), near = 2 * pack, far = 6 * pack;
+        if (indices.empty() || state.topology != Topology::triangles || entries.size() < far + pack) return;
+        for (std::size_t i = 0; i < pack; ++i) {
+            if (const std::uint32_t e = entries[far + i].entry; !(e & large_bit)) prefetch(indices.data() + 3 * std::size_t(e));
+            if (const std::uint32_t e = entries[near + i].entry; !(e & large_bit))
+                for (const std::uint32_t v : indices.subspan(3 * std::size_t(e), 3)) prefetch(window.data() + (v - first_vertex));
         }
-#endif
     }
 
     /// Positions of the three corners of a bin's entry.

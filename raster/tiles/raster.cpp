@@ -16,10 +16,8 @@ public:
 
     using SlotMaker::SlotMaker;
 
-    template <class Shape>
     void pack(int i, MaskN passed) {
-        if constexpr (colors)
-            Shape::store(tile_.slot + i, select(passed, IntN(slot()), Shape::load(tile_.slot + i)));
+        if constexpr (colors) store_int(tile_.slot + i, select(passed, IntN(slot()), load_int<FloatN>(tile_.slot + i)));
     }
     void pixel(int i) {
         if constexpr (colors) tile_.slot[i] = slot();
@@ -35,12 +33,7 @@ public:
     BlendSink(TileBuffer& tile, const PixelBox& limits, TriangleShader& shader)
         : SlotMaker(tile), limits_(limits), shader_(shader) {}
 
-    template <class Shape>
-    void pack(int i, MaskN passed) {
-        const std::uint32_t bits = bitmask(passed);
-        for (int row = 0; row < Shape::height; ++row)
-            add(i + row * tile_size, bits >> (row * Shape::width) & ((1u << Shape::width) - 1));
-    }
+    void pack(int i, MaskN passed) { add(i, bitmask(passed)); }
     void pixel(int i) { add(i, 1); }
     /// All pixels of the block at (x, y) of the tile.
     void block(int x, int y) {

@@ -121,7 +121,7 @@ private:
         return value_at(DepthPlane<FloatN>{{t.depth.origin, t.depth.dadx, t.depth.dady}, t.depth.offset}, px, py);
     }
 
-    /// Small triangles: every pixel of the box, in packs as wide or as high as suits it.
+    /// Small triangles: every pixel of the box, row by row.
     void draw_small(const TileTriangle& t) {
         const int bx0 = t.x0 / block_size, bx1 = t.x1 / block_size, by0 = t.y0 / block_size, by1 = t.y1 / block_size;
         bool hidden = true;
@@ -131,40 +131,25 @@ private:
         if (hidden) return;
         for (int by = by0; by <= by1; ++by)
             for (int bx = bx0; bx <= bx1; ++bx) touch(by * blocks_per_row + bx, t.range);
-        if (t.x1 - t.x0 < CellShape::width) {
-            draw_packs<CellShape>(t);
-        } else {
-            draw_packs<RowShape>(t);
-        }
-    }
-
-    template <class Shape>
-    void draw_packs(const TileTriangle& t) {
-        // Packs begin at the box, and before it only where they would leave the tile.
-        const int wide = (t.x1 - t.x0) / Shape::width + 1, high = (t.y1 - t.y0) / Shape::height + 1;
-        const int left = std::min(t.x0, tile_size - wide * Shape::width), top = std::min(t.y0, tile_size - high * Shape::height);
+        // Rows begin at the box, and before it only where they would leave the tile.
+        const int wide = (t.x1 - t.x0) / native_lanes + 1, left = std::min(t.x0, tile_size - wide * native_lanes);
         for (int column = 0; column < wide; ++column) {
-            IntN x = IntN(left + column * Shape::width) + Shape::x(), y = IntN(top) + Shape::y();
+            IntN x = IntN(left + column * native_lanes) + lane_index<FloatN>(), y(t.y0);
             IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y), e2 = edge_in_tile(t.edges[2], x, y);
-            const IntN down0(Shape::height * t.edges[0].step_y), down1(Shape::height * t.edges[1].step_y),
-                down2(Shape::height * t.edges[2].step_y);
+            const IntN down0(t.edges[0].step_y), down1(t.edges[1].step_y), down2(t.edges[2].step_y);
             Column<FloatN> z = column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
             FloatN py = to_float(IntN(tile_.y) + y);
-            int i = top * tile_size + left + column * Shape::width;
-            for (int row = 0; row < high; ++row) {
-                MaskN covered = inside(e0, e1, e2);
-                if (any(covered)) {
-                    IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + FloatN(t.depth.offset));
-                    IntN stored = Shape::load(tile_.depth + i);
-                    MaskN passed = covered & depth_passes(depth_.compare, incoming_depth, stored);
-                    if (any(passed)) {
-                        if (depth_.write) Shape::store(tile_.depth + i, select(passed, incoming_depth, stored));
-                        sink_.template pack<Shape>(i, passed);
-                    }
-                }
+            // No branch on what is covered or passes: nobody could foretell it.
+            int i = t.y0 * tile_size + left + column * native_lanes;
+            for (int row = t.y0; row <= t.y1; ++row) {
+                IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + FloatN(t.depth.offset));
+                IntN stored = load_int<FloatN>(tile_.depth + i);
+                MaskN passed = inside(e0, e1, e2) & depth_passes(depth_.compare, incoming_depth, stored);
+                if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
+                sink_.pack(i, passed);
                 e0 = e0 + down0, e1 = e1 + down1, e2 = e2 + down2;
-                py = py + FloatN(float(Shape::height));
-                i += Shape::height * tile_size;
+                py = py + FloatN(1.0f);
+                i += tile_size;
             }
         }
     }
@@ -230,7 +215,7 @@ private:
                 passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
                 if (!any(passed)) continue;
                 if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-                sink_.template pack<RowShape>(i, passed);
+                sink_.pack(i, passed);
             }
     }
 
@@ -239,40 +224,47 @@ private:
     Sink& sink_;
 };
 
+/// Gathers the entries of all bins of one tile, in order.
+inline void collect_entries(std::span<const ChunkBins> chunks, std::size_t tile_index, std::vector<TileEntry>& out) {
+    out.clear();
+    for (std::uint32_t c = 0; c < chunks.size(); ++c)
+        for (std::uint32_t i = chunks[c].offsets[tile_index]; i < chunks[c].offsets[tile_index + 1]; ++i)
+            out.push_back({c, chunks[c].entries[i]});
+}
+
 /// Feeds the triangles of all bins of one tile to a sink, in order.
 template <class Depth, class Sink>
 inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
                         TileBuffer& tile, const Depth& depth, Sink& sink) {
     TileRaster<Depth, Sink> raster(tile, depth, sink);
     PackSetup pack;
-    for (std::uint32_t c = 0; c < chunks.size(); ++c) {
-        const std::uint32_t* entry = chunks[c].entries.data() + chunks[c].offsets[tile_index];
-        const std::uint32_t* end = chunks[c].entries.data() + chunks[c].offsets[tile_index + 1];
-        for (; entry < end; entry += native_lanes) {
-            const int count = int(std::min<std::ptrdiff_t>(end - entry, native_lanes));
-            draw.prefetch(entry + native_lanes, end);
-            std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
-            std::uint32_t large = 0;
-            for (int lane = 0; lane < count; ++lane) {
-                if (entry[lane] & large_bit) {
-                    large |= 1u << lane;
-                } else {
-                    const auto v = draw.corners(entry[lane]);
-                    for (std::size_t k = 0; k < 3; ++k) places[k].v[lane] = std::int32_t(v[k] - draw.first_vertex);
-                }
+    collect_entries(chunks, tile_index, tile.entries);
+    const std::span<const TileEntry> entries = tile.entries;
+    for (std::size_t start = 0; start < entries.size(); start += std::size_t(native_lanes)) {
+        const std::span<const TileEntry> some = entries.subspan(start, std::min(entries.size() - start, std::size_t(native_lanes)));
+        draw.prefetch_entries(entries.subspan(start));
+        std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
+        std::uint32_t large = 0;
+        for (std::size_t lane = 0; lane < some.size(); ++lane) {
+            if (some[lane].entry & large_bit) {
+                large |= 1u << lane;
+            } else {
+                const auto v = draw.corners(some[lane].entry);
+                for (std::size_t k = 0; k < 3; ++k) places[k].v[int(lane)] = std::int32_t(v[k] - draw.first_vertex);
             }
-            if (large != (1u << count) - 1)
-                set_up_pack(pack, &draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
-            for (int lane = 0; lane < count; ++lane) {
-                if (large >> lane & 1) {
-                    TileTriangle t = place_large(chunks[c].large[entry[lane] & ~large_bit], depth.format, tile.x, tile.y);
-                    t.entry = entry[lane];
-                    raster.draw(t, c);
-                } else if (pack.dots >> lane & 1) {
-                    raster.draw_dots(pack, lane, entry[lane], c);
-                } else {
-                    raster.draw(pack.at(lane, entry[lane]), c);
-                }
+        }
+        if (large != (1u << some.size()) - 1)
+            set_up_pack(pack, &draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
+        for (std::size_t lane = 0; lane < some.size(); ++lane) {
+            const auto [chunk, entry] = some[lane];
+            if (large >> lane & 1) {
+                TileTriangle t = place_large(chunks[chunk].large[entry & ~large_bit], depth.format, tile.x, tile.y);
+                t.entry = entry;
+                raster.draw(t, chunk);
+            } else if (pack.dots >> lane & 1) {
+                raster.draw_dots(pack, int(lane), entry, chunk);
+            } else {
+                raster.draw(pack.at(int(lane), entry), chunk);
             }
         }
     }

@@ -33,33 +33,7 @@ struct TileBuffer {
     bool cleared;             ///< slot 0 is the target's pending clear, not its memory
     std::int32_t clear_depth;
     std::vector<Slot> slots;  ///< 0 stands for what the target held before
-};
-
-/// A pack of lanes as neighbours in a row of a tile.
-struct RowShape {
-    static constexpr int width = native_lanes, height = 1;
-    static IntN x() { return lane_index<FloatN>(); }
-    static IntN y() { return IntN(0); }
-    static IntN load(const std::int32_t* p) { return load_int<FloatN>(p); }
-    static void store(std::int32_t* p, IntN v) { store_int(p, v); }
-};
-
-/// A pack of lanes as a cell 4 pixels wide.
-struct CellShape {
-    static constexpr int width = 4, height = native_lanes / width;
-    static_assert(native_lanes == 4 || native_lanes == 8, "blocks are 8 pixels wide and cells 4");
-    static IntN x() { return lane_index<FloatN>() & IntN(width - 1); }
-    static IntN y() { return lane_index<FloatN>() >> 2; }
-    static IntN load(const std::int32_t* p) {
-        IntN r;
-        for (int row = 0; row < height; ++row)
-            std::memcpy(reinterpret_cast<char*>(&r.v) + 16 * row, p + row * tile_size, 16);
-        return r;
-    }
-    static void store(std::int32_t* p, IntN v) {
-        for (int row = 0; row < height; ++row)
-            std::memcpy(p + row * tile_size, reinterpret_cast<const char*>(&v.v) + 16 * row, 16);
-    }
+    std::vector<TileEntry> entries;
 };
 
 inline int block_x(int block) { return block % blocks_per_row * block_size; }

@@ -29,6 +29,7 @@ std::size_t WorkspacePool::bytes() const {
     std::size_t sum = 0;
     for (const auto& w : free_)
         sum += sizeof(Workspace) + w->planes.bytes() + w->tile.slots.capacity() * sizeof(Slot) +
+               w->tile.entries.capacity() * sizeof(TileEntry) +
                (w->visible.capacity() + w->place.capacity()) * sizeof(std::int32_t);
     return sum;
 }
