@@ -20,9 +20,10 @@ namespace raster::tiles {
 inline constexpr std::size_t chunk_triangles = 8192;
 inline constexpr std::size_t batch_chunks = 512;
 
-/// The smallest and the largest vertex number that an index list names among those that exist.
+/// The range of vertices to shade: from the smallest to the largest number that an index list names among those that exist.
+/// All of them where the list is so long that looking would cost as much.
 inline std::pair<std::uint32_t, std::uint32_t> used_vertices(std::span<const std::uint32_t> indices, std::size_t vertices) {
-    if (indices.empty()) return {0, std::uint32_t(vertices - 1)};
+    if (vertices > 0 && (indices.empty() || indices.size() >= 4 * vertices)) return {0, std::uint32_t(vertices - 1)};
     std::uint32_t low = ~0u, high = 0;
     for (const std::uint32_t i : indices) {
         const bool exists = i < vertices;

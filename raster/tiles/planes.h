@@ -111,6 +111,18 @@ inline ShadingPlanes<S> make_shading_planes(const ShadingContext<S>& context, co
     return r;
 }
 
+/// Asks for the varyings of the corners of slots whose planes are made soon.
+template <Shader S>
+inline void prefetch_varyings(const ShadingContext<S>& context, std::span<const Slot> slots, std::span<const std::int32_t> which) {
+    if (std::size_t(varying_count<S>) == 0) return;
+    for (const std::int32_t w : which) {
+        const Slot& slot = slots[std::size_t(w)];
+        if (slot.entry & large_bit) continue;
+        for (const std::uint32_t v : context.draw.corners(slot.entry))
+            prefetch(context.varyings.data() + (v - context.draw.first_vertex));
+    }
+}
+
 /// The planes of the slots `which`, at most lanes<FloatN> of them, a slot a lane: out[i] are those of slots[which[i]].
 template <Shader S>
 RASTER_ONE_CALL void make_shading_planes(const ShadingContext<S>& context, std::span<const Slot> slots,

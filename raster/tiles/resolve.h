@@ -29,9 +29,11 @@ void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Targe
     static_assert(std::is_trivially_copyable_v<ShadingPlanes<S>>);
     ShadingPlanes<S>* const planes = workspace.planes.get<ShadingPlanes<S>>(visible.size()).data();
     constexpr std::size_t pack = native_lanes;
-    for (std::size_t i = 1; i < visible.size(); i += pack)
-        make_shading_planes(context, std::span<const Slot>(tile.slots), visible.subspan(i, std::min(pack, visible.size() - i)),
-                            planes + i);
+    const std::span<const Slot> slots = tile.slots;
+    for (std::size_t i = 1; i < visible.size(); i += pack) {
+        if (i + 3 * pack <= visible.size()) prefetch_varyings(context, slots, visible.subspan(i + 2 * pack, pack));
+        make_shading_planes(context, slots, visible.subspan(i, std::min(pack, visible.size() - i)), planes + i);
+    }
 
     for (int block = 0; block < block_count; ++block) {
         const int x = tile.x + block_x(block), y = tile.y + block_y(block);
