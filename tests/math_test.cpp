@@ -139,6 +139,29 @@ TEST(Math, PowHasTheValuesLightingRestsOn) {
     EXPECT_EQ(raster::pow(2.0f, 10), 1024.0f) << "an exponent of another type converts";
 }
 
+TEST(Math, PowersOfASharedWholeExponentKeepTheirStatedError) {
+    testing::Random random(4);
+    for (int exponent = 1; exponent <= 256; ++exponent)
+        for (int i = 0; i < 2000; ++i) {
+            const float x = random.uniform(0.0f, 1.0f);
+            const long double exact = powl(x, exponent);
+            if (exact < smallest) continue;
+            const float ours = raster::pow_shared(x, float(exponent));
+            ASSERT_LE(double(std::fabs((ours - exact) / exact)), exponent * 6e-8) << x << " to the " << exponent;
+        }
+}
+
+TEST(Math, PowersOfASharedExponentAreMultipliedOutWhereItIsWholeAndElsePows) {
+    EXPECT_EQ(raster::pow_shared(3.0f, 5.0f), 243.0f);
+    EXPECT_EQ(raster::pow_shared(-2.0f, 3.0f), -8.0f) << "multiplied out, a negative base has powers too";
+    EXPECT_EQ(raster::pow_shared(0.7f, 1.0f), 0.7f);
+    EXPECT_EQ(raster::pow_shared(2.0f, 100.0f), std::ldexp(1.0f, 100));
+    for (const float exponent : {0.0f, 0.5f, 2.4f, 96.078431f, 257.0f, 1e30f, -1.0f})
+        for (const float x : {0.0f, 0.3f, 1.0f, 1.5f})
+            EXPECT_EQ(as_int(raster::pow_shared(x, exponent)), as_int(raster::pow(x, exponent))) << x << " " << exponent;
+    EXPECT_TRUE(std::isnan(raster::pow_shared(0.5f, nan)));
+}
+
 TEST(Math, PowOfAUnitBaseIsNeverNaNNeverAboveOneAndNeverFalls) {
     for (float y : {0.5f, 1.0f, 2.0f, 5.0f, 32.0f, 50.0f, 200.0f, 1000.0f, 10000.0f}) {
         float previous = 0;
@@ -258,6 +281,8 @@ void expect_all_lanes_equal_scalar() {
     expect_lanes_equal_scalar<N>("exp2", [](auto x, auto) { return raster::exp2(x); });
     expect_lanes_equal_scalar<N>("log2", [](auto x, auto) { return raster::log2(x); });
     expect_lanes_equal_scalar<N>("pow", [](auto x, auto y) { return raster::pow(x, y); });
+    expect_lanes_equal_scalar<N>("pow_shared 2.4", [](auto x, auto) { return raster::pow_shared(x, 2.4f); });
+    expect_lanes_equal_scalar<N>("pow_shared 37", [](auto x, auto) { return raster::pow_shared(x, 37.0f); });
     expect_lanes_equal_scalar<N>("exp", [](auto x, auto) { return raster::exp(x); });
     expect_lanes_equal_scalar<N>("sin", [](auto x, auto) { return raster::sin(x); });
     expect_lanes_equal_scalar<N>("cos", [](auto x, auto) { return raster::cos(x); });
@@ -279,6 +304,7 @@ TEST(Math, TheBitsAreTheSameOnEveryMachine) {
     for (std::size_t i = 0; i < xs.size(); ++i) {
         const float x = xs[i], y = xs[xs.size() - 1 - i];
         for (float v : {raster::exp2(x), raster::log2(x), raster::pow(x, y), raster::exp(x)}) add(v);
+        add(raster::pow_shared(x, 37.0f));
         for (float v : {raster::sin(x), raster::cos(x), raster::tan(x)}) add(v);
         for (float v : {raster::acos(x), raster::atan2(x, y)}) add(v);
         if (std::fabs(x) < 1e6f) {

@@ -16,7 +16,7 @@ vec<3, F> blinn_phong(const vec<3, F>& normal, const vec<3, F>& eye_position, co
     const vec<3, F> n = glm::normalize(normal), v = glm::normalize(-eye_position), l(to_light);
     const vec<3, F> h = glm::normalize(l + v);
     const F n_l = dot0(n, l);
-    const F highlight = select(n_l > F(0), raster::pow(dot0(n, h), F(exponent)), F(0));
+    const F highlight = select(n_l > F(0), pow_shared(dot0(n, h), exponent), F(0));
     return vec<3, F>(base_color) * (F(ambient) + F(diffuse) * n_l) + vec<3, F>(F(specular) * highlight);
 }
 

@@ -35,7 +35,7 @@ struct BlinnPhong {
         const F sum = max(n_l + glm::dot(frame.n, frame.v), F(0));
         const F squared = (sum * sum) / max(F(2) + F(2) * glm::dot(l, frame.v), F(1e-12f));
         const float power = convention == Exponent::alpha ? exponent : exponent * 0.25f;
-        const F highlight = raster::pow(min(squared, F(1)), F(power * 0.5f));
+        const F highlight = pow_shared(min(squared, F(1)), power * 0.5f);
         return {grey(max(n_l, F(0))), grey(select(n_l > F(0), highlight, F(0)))};
     }
 };

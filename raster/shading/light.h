@@ -109,7 +109,7 @@ template <class F>
 inline F spot_strength(const EyeLight& light, const vec<3, F>& l) {
     const F cos_axis = -glm::dot(l, vec<3, F>(light.direction_eye));
     F falloff(1);
-    if (light.falloff_exponent != 0.0f) falloff = raster::pow(max(cos_axis, F(0)), light.falloff_exponent);
+    if (light.falloff_exponent != 0.0f) falloff = pow_shared(max(cos_axis, F(0)), light.falloff_exponent);
     return select(cos_axis >= F(light.cos_cutoff), falloff, F(0));
 }
 

@@ -21,7 +21,7 @@ struct Phong {
     Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
         const F n_l = glm::dot(frame.n, l);
         const F r_v = F(2) * n_l * glm::dot(frame.n, frame.v) - glm::dot(l, frame.v);
-        const F highlight = raster::pow(max(r_v, F(0)), F(exponent));
+        const F highlight = pow_shared(max(r_v, F(0)), exponent);
         return {grey(max(n_l, F(0))), grey(select(n_l > F(0), highlight, F(0)))};
     }
 };
