@@ -3,6 +3,34 @@
 
 namespace raster::tiles {
 
+std::uint64_t pixels_in_target(const Target& target, int x, int y) {
+    const int columns = std::clamp(target.width() - x, 0, block_size), rows = std::clamp(target.height() - y, 0, block_size);
+    if (columns == 0 || rows == 0) return 0;
+    const std::uint64_t row = 0xff >> (block_size - columns);
+    return (row * 0x0101010101010101u) & (~std::uint64_t(0) >> (block_size * (block_size - rows)));
+}
+
+namespace {
+/// One bit for each pixel of a block whose slot satisfies the test.
+template <class Test>
+std::uint64_t pixels_where(const TileBuffer& tile, int block, const Test& test) {
+    const std::int32_t* p = tile.slot + first_pixel_of_block(block);
+    std::uint64_t mask = 0;
+    for (int row = 0; row < block_size; ++row)
+        for (int c = 0; c < block_size; c += native_lanes)
+            mask |= std::uint64_t(bitmask(test(load_int<FloatN>(p + row * tile_size + c)))) << (row * block_size + c);
+    return mask;
+}
+}  // namespace
+
+std::uint64_t visible_pixels(const TileBuffer& tile, int block) {
+    return pixels_where(tile, block, [](IntN slots) { return slots != IntN(0); });
+}
+
+std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot) {
+    return pixels_where(tile, block, [slot](IntN slots) { return slots == IntN(slot); });
+}
+
 namespace {
 
 /// Writes the depths of one block to the target.
@@ -34,7 +62,8 @@ std::uint32_t blocks_to_clear(const TileBuffer& tile, int by, bool colors_follow
     for (int bx = 0; bx < blocks_per_row; ++bx) {
         const int block = by * blocks_per_row + bx;
         const bool uniform = tile.uniform >> block & 1;
-        if (!uniform || tile.block_slot[block] == 0 || !colors_follow) r |= 1u << bx;
+        const bool hidden = uniform ? tile.block_slot[block] != 0 : colors_follow && visible_pixels(tile, block) == ~std::uint64_t(0);
+        if (!hidden || !colors_follow) r |= 1u << bx;
     }
     return r;
 }
@@ -59,34 +88,6 @@ void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool dep
     }
 }
 
-std::uint64_t pixels_in_target(const Target& target, int x, int y) {
-    const int columns = std::clamp(target.width() - x, 0, block_size), rows = std::clamp(target.height() - y, 0, block_size);
-    if (columns == 0 || rows == 0) return 0;
-    const std::uint64_t row = 0xff >> (block_size - columns);
-    return (row * 0x0101010101010101u) & (~std::uint64_t(0) >> (block_size * (block_size - rows)));
-}
-
-namespace {
-/// One bit for each pixel of a block whose slot satisfies the test.
-template <class Test>
-std::uint64_t pixels_where(const TileBuffer& tile, int block, const Test& test) {
-    const std::int32_t* p = tile.slot + first_pixel_of_block(block);
-    std::uint64_t mask = 0;
-    for (int row = 0; row < block_size; ++row)
-        for (int c = 0; c < block_size; c += native_lanes)
-            mask |= std::uint64_t(bitmask(test(load_int<FloatN>(p + row * tile_size + c)))) << (row * block_size + c);
-    return mask;
-}
-}  // namespace
-
-std::uint64_t visible_pixels(const TileBuffer& tile, int block) {
-    return pixels_where(tile, block, [](IntN slots) { return slots != IntN(0); });
-}
-
-std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot) {
-    return pixels_where(tile, block, [slot](IntN slots) { return slots == IntN(slot); });
-}
-
 void number_visible_slots(Workspace& workspace) {
     TileBuffer& tile = workspace.tile;
     std::vector<std::int32_t>& place = workspace.place;
@@ -105,6 +106,8 @@ void number_visible_slots(Workspace& workspace) {
         slot = at;
         count += known < 0;
     };
+    // Rows of one slot, the one of the row before, are the most usual.
+    std::int32_t last = 0, last_place = 0;
     for (int block = 0; block < block_count; ++block) {
         if (tile.uniform >> block & 1) {
             number(tile.block_slot[block]);
@@ -112,7 +115,16 @@ void number_visible_slots(Workspace& workspace) {
         }
         std::int32_t* const owners = tile.slot + first_pixel_of_block(block);
         for (int row = 0; row < block_size; ++row)
-            for (int column = 0; column < block_size; ++column) number(owners[row * tile_size + column]);
+            for (int column = 0; column < block_size; column += native_lanes) {
+                std::int32_t* const some = owners + row * tile_size + column;
+                if (all(load_int<FloatN>(some) == IntN(last))) {
+                    store_int(some, IntN(last_place));
+                } else {
+                    last = some[native_lanes - 1];
+                    for (int i = 0; i < native_lanes; ++i) number(some[i]);
+                    last_place = some[native_lanes - 1];
+                }
+            }
     }
     workspace.visible.resize(std::size_t(count));
 }

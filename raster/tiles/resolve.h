@@ -6,8 +6,8 @@
 
 namespace raster::tiles {
 
-/// Writes a tile's depths to the target, and with `clear_wanted` its pending clear where no triangle is visible. A clear's
-/// colours are left out below blocks of one triangle when `colors_follow`: when every plane of theirs is about to be written.
+/// Writes a tile's depths to the target, and with `clear_wanted` its pending clear where no triangle is visible. The clear
+/// is left out below blocks that triangles hide when `colors_follow`: when every plane of theirs is about to be written.
 void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool depth_write, bool colors_follow);
 
 /// The pixels of a block that belong to the target, as shade_block takes them.
