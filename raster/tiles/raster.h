@@ -117,10 +117,6 @@ public:
 private:
     static MaskN inside(IntN e0, IntN e1, IntN e2) { return (e0 | e1 | e2) >= IntN(0); }
 
-    static FloatN depth_at(const TileTriangle& t, FloatN px, FloatN py) {
-        return value_at(DepthPlane<FloatN>{{t.depth.origin, t.depth.dadx, t.depth.dady}, t.depth.offset}, px, py);
-    }
-
     /// Small triangles: every pixel of the box, row by row.
     void draw_small(const TileTriangle& t) {
         const int bx0 = t.x0 / block_size, bx1 = t.x1 / block_size, by0 = t.y0 / block_size, by1 = t.y1 / block_size;
@@ -133,24 +129,27 @@ private:
             for (int bx = bx0; bx <= bx1; ++bx) touch(by * blocks_per_row + bx, t.range);
         // Rows begin at the box, and before it only where they would leave the tile.
         const int wide = (t.x1 - t.x0) / native_lanes + 1, left = std::min(t.x0, tile_size - wide * native_lanes);
-        for (int column = 0; column < wide; ++column) {
-            IntN x = IntN(left + column * native_lanes) + lane_index<FloatN>(), y(t.y0);
-            IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y), e2 = edge_in_tile(t.edges[2], x, y);
-            const IntN down0(t.edges[0].step_y), down1(t.edges[1].step_y), down2(t.edges[2].step_y);
-            Column<FloatN> z = column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
-            FloatN py = to_float(IntN(tile_.y) + y);
-            // No branch on what is covered or passes: nobody could foretell it.
-            int i = t.y0 * tile_size + left + column * native_lanes;
-            for (int row = t.y0; row <= t.y1; ++row) {
-                IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + FloatN(t.depth.offset));
-                IntN stored = load_int<FloatN>(tile_.depth + i);
-                MaskN passed = inside(e0, e1, e2) & depth_passes(depth_.compare, incoming_depth, stored);
-                if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-                sink_.pack(i, passed);
-                e0 = e0 + down0, e1 = e1 + down1, e2 = e2 + down2;
-                py = py + FloatN(1.0f);
-                i += tile_size;
-            }
+        for (int column = 0; column < wide; ++column) draw_rows(t, left + column * native_lanes, t.y0, t.y1);
+    }
+
+    /// The pixels of rows y0 to y1 in the lanes<FloatN> columns from `left` on, which are pixels of the tile. No branch on
+    /// what is covered or passes: nobody could foretell it.
+    void draw_rows(const TileTriangle& t, int left, int y0, int y1) {
+        IntN x = IntN(left) + lane_index<FloatN>(), y(y0);
+        IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y), e2 = edge_in_tile(t.edges[2], x, y);
+        const IntN down0(t.edges[0].step_y), down1(t.edges[1].step_y), down2(t.edges[2].step_y);
+        Column<FloatN> z = column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
+        FloatN py = to_float(IntN(tile_.y) + y);
+        int i = y0 * tile_size + left;
+        for (int row = y0; row <= y1; ++row) {
+            IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + FloatN(t.depth.offset));
+            IntN stored = load_int<FloatN>(tile_.depth + i);
+            MaskN passed = inside(e0, e1, e2) & depth_passes(depth_.compare, incoming_depth, stored);
+            if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
+            sink_.pack(i, passed);
+            e0 = e0 + down0, e1 = e1 + down1, e2 = e2 + down2;
+            py = py + FloatN(1.0f);
+            i += tile_size;
         }
     }
 
@@ -197,26 +196,7 @@ private:
             return;
         }
         touch(block, incoming);
-        for (int row = 0; row < block_size; ++row)
-            for (int column = 0; column < block_size; column += native_lanes) {
-                const int i = (y + row) * tile_size + x + column;
-                MaskN passed(true);
-                if (!full) {
-                    const IntN cx = IntN(column) + lane_index<FloatN>();
-                    const auto e = [&](std::size_t k) {
-                        return IntN(origin[k] + row * t.edges[k].step_y) + IntN(t.edges[k].step_x) * cx;
-                    };
-                    passed = inside(e(0), e(1), e(2));
-                    if (!any(passed)) continue;
-                }
-                const FloatN fx = to_float(IntN(px + column) + lane_index<FloatN>()), fy = FloatN(float(py + row));
-                const IntN incoming_depth = encode_depth(depth_.format, depth_at(t, fx, fy));
-                const IntN stored = load_int<FloatN>(tile_.depth + i);
-                passed = passed & depth_passes(depth_.compare, incoming_depth, stored);
-                if (!any(passed)) continue;
-                if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-                sink_.pack(i, passed);
-            }
+        for (int column = 0; column < block_size; column += native_lanes) draw_rows(t, x + column, y, y + block_size - 1);
     }
 
     TileBuffer& tile_;
