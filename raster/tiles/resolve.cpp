@@ -1,6 +1,9 @@
 // resolve.cpp: the part of resolving a tile that needs no shader: depths, clears, and who is visible where.
 #include <raster/tiles/resolve.h>
 
+#include <bit>
+#include <numeric>
+
 namespace raster::tiles {
 
 std::uint64_t pixels_in_target(const Target& target, int x, int y) {
@@ -88,8 +91,15 @@ void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool dep
     }
 }
 
-void number_visible_slots(Workspace& workspace) {
+void list_visible_slots(Workspace& workspace) {
     TileBuffer& tile = workspace.tile;
+    // To look at every pixel costs more than the planes of some slots that nobody sees.
+    const std::size_t single_pixels = std::size_t(block_size * block_size * std::popcount(~tile.uniform));
+    if (single_pixels > 8 * tile.slots.size()) {
+        workspace.visible.resize(tile.slots.size());
+        std::iota(workspace.visible.begin(), workspace.visible.end(), 0);
+        return;
+    }
     std::vector<std::int32_t>& place = workspace.place;
     place.assign(tile.slots.size(), -1);
     place[0] = 0;
@@ -106,8 +116,6 @@ void number_visible_slots(Workspace& workspace) {
         slot = at;
         count += known < 0;
     };
-    // Rows of one slot, the one of the row before, are the most usual.
-    std::int32_t last = 0, last_place = 0;
     for (int block = 0; block < block_count; ++block) {
         if (tile.uniform >> block & 1) {
             number(tile.block_slot[block]);
@@ -115,16 +123,7 @@ void number_visible_slots(Workspace& workspace) {
         }
         std::int32_t* const owners = tile.slot + first_pixel_of_block(block);
         for (int row = 0; row < block_size; ++row)
-            for (int column = 0; column < block_size; column += native_lanes) {
-                std::int32_t* const some = owners + row * tile_size + column;
-                if (all(load_int<FloatN>(some) == IntN(last))) {
-                    store_int(some, IntN(last_place));
-                } else {
-                    last = some[native_lanes - 1];
-                    for (int i = 0; i < native_lanes; ++i) number(some[i]);
-                    last_place = some[native_lanes - 1];
-                }
-            }
+            for (int column = 0; column < block_size; ++column) number(owners[row * tile_size + column]);
     }
     workspace.visible.resize(std::size_t(count));
 }

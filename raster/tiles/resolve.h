@@ -17,14 +17,14 @@ std::uint64_t pixels_in_target(const Target& target, int x, int y);
 std::uint64_t visible_pixels(const TileBuffer& tile, int block);
 std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot);
 
-/// Lists the slots that are seen in `visible`, and puts their places in it where the tile named the slots.
-void number_visible_slots(Workspace& workspace);
+/// Lists the slots whose planes are wanted in `visible`, and puts their places in it where the tile named the slots.
+void list_visible_slots(Workspace& workspace);
 
 /// Shades the visible pixels of the workspace's tile.
 template <HasFragment S>
 void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Target& target) {
     const TileBuffer& tile = workspace.tile;
-    number_visible_slots(workspace);
+    list_visible_slots(workspace);
     const std::span<const std::int32_t> visible = workspace.visible;
     static_assert(std::is_trivially_copyable_v<ShadingPlanes<S>>);
     ShadingPlanes<S>* const planes = workspace.planes.get<ShadingPlanes<S>>(visible.size()).data();

@@ -32,13 +32,18 @@ struct ShadingColumn {
     ShadingColumn(const ShadingPlanes<S>* planes, Int<F> which, F px) : px(px) {
         constexpr std::ptrdiff_t stride = sizeof(ShadingPlanes<S>) / sizeof(float);
         PlaneNumbers<S, F> numbers;
-        for (std::size_t k = 0; k < numbers.size(); k += 4)
-            gather4(planes->varyings.data() + k, which, numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3], stride);
+        // Neighbours in a row are often of one triangle.
+        if (const std::int32_t first = lane(which, 0); all(which == Int<F>(first))) {
+            for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = F(planes[first].varyings[k]);
+        } else {
+            for (std::size_t k = 0; k < numbers.size(); k += 4)
+                gather4(planes->varyings.data() + k, which, numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3],
+                        stride);
+        }
         varyings = columns_at<S, F>(from_numbers<S, F>(numbers), px);
         if constexpr (HasPlacedFragment<S>) {
             Plane<F> plane;
-            gather4(planes->depth, which, plane.origin, plane.dadx, plane.dady,
-                    depth_offset, stride);
+            gather4(planes->depth, which, plane.origin, plane.dadx, plane.dady, depth_offset, stride);
             F triangle_bits, front_bits, unused0, unused1;
             gather4(reinterpret_cast<const float*>(&planes->triangle), which, triangle_bits, front_bits, unused0, unused1,
                     stride);
