@@ -260,6 +260,46 @@ TYPED_TEST(Lanes, GatherFindsEachLanesOwn) {
     }
 }
 
+TYPED_TEST(Lanes, RecordsOfAnyLengthAreGatheredAndScattered) {
+    constexpr int n = lanes<TypeParam>;
+    std::vector<float> table(100 * 13 + 4);
+    for (float& x : table) x = any_float(this->random);
+    for (const int stride : {3, 4, 7, 12, 13})
+        for (int count = 1; count <= n; ++count) {
+            std::array<std::int32_t, n> index;
+            for (auto& i : index) i = this->random.integer(0, 99);
+            TypeParam parts[4];
+            gather4(table.data(), this->pack(index), parts[0], parts[1], parts[2], parts[3], stride);
+            std::vector<float> to(std::size_t(n * 13 + 4), 7.0f);
+            scatter4(to.data(), count, stride, parts[0], parts[1], parts[2], parts[3]);
+            for (int i = n - 1; i >= 0; --i)
+                for (int part = 0; part < 4; ++part) {
+                    const float want = table[std::size_t(stride * index[std::size_t(i)] + part)];
+                    ASSERT_EQ(bits(lane(parts[part], i)), bits(want)) << "lane " << i << ", stride " << stride;
+                    // The records of a stride of 3 overlap: the later lane's stays.
+                    const bool overwritten = part >= stride && i + 1 < count;
+                    if (i < count && !overwritten) {
+                        ASSERT_EQ(bits(to[std::size_t(stride * i + part)]), bits(want));
+                    }
+                }
+            for (std::size_t k = std::size_t(stride * (count - 1) + 4); k < to.size(); ++k) ASSERT_EQ(to[k], 7.0f);
+        }
+}
+
+TEST(LanesOfThisBuild, TriplesAreTakenApart) {
+    std::array<std::int32_t, 3 * native_lanes + 1> from;
+    for (std::size_t i = 0; i < from.size(); ++i) from[i] = std::int32_t(100 + i);
+    for (int offset = 0; offset < 2; ++offset) {
+        IntN a, b, c;
+        load3(&from[std::size_t(offset)], a, b, c);
+        for (int i = 0; i < native_lanes; ++i) {
+            EXPECT_EQ(lane(a, i), 100 + offset + 3 * i);
+            EXPECT_EQ(lane(b, i), 101 + offset + 3 * i);
+            EXPECT_EQ(lane(c, i), 102 + offset + 3 * i);
+        }
+    }
+}
+
 // -------------------------------------------------------------------------------------------------- GLM over packs
 
 /// make(a, b, c) over vectors of packs against the same over vectors of floats. Numbers that shaders have.
