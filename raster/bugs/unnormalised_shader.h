@@ -6,31 +6,12 @@
 
 namespace raster {
 
-/// As PixelShader, but for the first line of `fragment`.
+/// As PixelShader, with the normal as it comes.
 template <Detail level>
 struct UnnormalisedPixelShader : PixelShader<RuntimeModel, level> {
-    using Right = PixelShader<RuntimeModel, level>;
     template <class F>
-    using Varyings = typename Right::template Varyings<F>;
-
-    template <class F>
-    auto fragment(const Varyings<F>& in, const FragmentInput<F>& at) const {
-        const ShadingUniforms& u = this->u;
-        vec<3, F> outward = in.normal_eye;
-        vec<3, F> n = u.two_sided ? negate_where<F>(!at.front_facing, outward) : outward;
-        Frame<F> frame = frame_at(u, this->model, n, in.position_eye);
-        Lit<F> lit = illuminate(this->model, u.lights, frame, in.position_eye);
-        if constexpr (level == Detail::plain) {
-            return plain_sum(plain_colors(u.material), u.ambient, lit);
-        } else {
-            SurfaceColors<F> colors = mapped_colors(u.material, in.uv, in.color);
-            Terms<F> terms = make_terms(colors, u.ambient, lit);
-            if constexpr (level == Detail::mapped) {
-                return sum_of(terms, colors.alpha);
-            } else {
-                return make_outputs(u, terms, colors.alpha, n, at.triangle);
-            }
-        }
+    auto fragment(const typename PixelShader<RuntimeModel, level>::template Varyings<F>& in, const FragmentInput<F>& at) const {
+        return this->template shade<F>(in, at, in.normal_eye);
     }
 };
 

@@ -45,7 +45,12 @@ struct PixelShader {
 
     template <class F>
     auto fragment(const Varyings<F>& in, const FragmentInput<F>& at) const {
-        vec<3, F> outward = normalize_or_zero(in.normal_eye);
+        return shade<F>(in, at, normalize_or_zero(in.normal_eye));
+    }
+
+    /// The same with the normal given, eye space, on the front's side.
+    template <class F>
+    auto shade(const Varyings<F>& in, const FragmentInput<F>& at, const vec<3, F>& outward) const {
         vec<3, F> n = u.two_sided ? negate_where<F>(!at.front_facing, outward) : outward;
         Frame<F> frame = frame_at(u, model, n, in.position_eye);
         Lit<F> lit = illuminate(model, u.lights, frame, in.position_eye);

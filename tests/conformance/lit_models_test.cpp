@@ -6,9 +6,8 @@
 #include <raster/scene/shapes.h>
 #include <raster/shading/materials.h>
 
+#include "lit_pair.h"
 #include "opengl_models.h"
-#include "opengl_picture.h"
-#include "scene.h"
 
 namespace {
 
@@ -147,15 +146,11 @@ void compare_all(const std::vector<ModelScene>& scenes) {
     const auto gl = tool::OpenGl::make();
     ASSERT_TRUE(gl) << gl.error().message;
     for (const ModelScene& s : scenes) {
-        const Camera framed = auto_frame(s.model, double(width) / height);
-        const auto camera = camera_matrices(with_planes_around(framed, bounding_box(s.model)), double(width) / height);
-        ASSERT_TRUE(camera) << s.name;
-        Target target(width, height);
-        render(target, s.model, *camera, s.options);
-        const Picture ours{target.color8(), target.depth()};
-        const auto opengl = tool::render_by_opengl(**gl, s.model, *camera, s.options, width, height);
-        ASSERT_TRUE(opengl) << s.name << ": " << opengl.error().message;
-        const Picture theirs{opengl->color, opengl->depth};
+        SCOPED_TRACE(s.name);
+        LitPair pair;
+        const Camera camera = auto_frame(s.model, double(width) / height);
+        ASSERT_NO_FATAL_FAILURE(draw_lit_pair(**gl, s.model, camera, s.options, width, height, pair));
+        const auto& [ours, theirs] = pair;
         const Difference difference = compare(ours, theirs);
         EXPECT_EQ(difference.depth_pixels, 0u) << s.name;
         EXPECT_LE(difference.largest, s.few_twice ? 2 : 1) << s.name;

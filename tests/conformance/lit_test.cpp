@@ -8,9 +8,9 @@
 #include <raster/scene/obj.h>
 #include <raster/scene/shapes.h>
 
+#include "lit_pair.h"
 #include "random.h"
 #include "scene.h"
-#include "opengl_picture.h"
 
 namespace {
 
@@ -147,15 +147,10 @@ void compare_all(const std::vector<LitScene>& scenes) {
     const auto gl = tool::OpenGl::make();
     ASSERT_TRUE(gl) << gl.error().message;
     for (const LitScene& s : scenes) {
-        const auto camera =
-            camera_matrices(with_planes_around(s.camera, bounding_box(s.model)), double(width) / height);
-        ASSERT_TRUE(camera) << s.name;
-        Target target(width, height);
-        render(target, s.model, *camera, s.options);
-        const Picture ours{target.color8(), target.depth()};
-        const auto opengl = tool::render_by_opengl(**gl, s.model, *camera, s.options, width, height);
-        ASSERT_TRUE(opengl) << s.name << ": " << opengl.error().message;
-        const Picture theirs{opengl->color, opengl->depth};
+        SCOPED_TRACE(s.name);
+        LitPair pair;
+        ASSERT_NO_FATAL_FAILURE(draw_lit_pair(**gl, s.model, s.camera, s.options, width, height, pair));
+        const auto& [ours, theirs] = pair;
         const Difference difference = compare(ours, theirs);
         EXPECT_EQ(difference.depth_pixels, 0u) << s.name;
         EXPECT_LE(difference.largest, 1) << s.name;

@@ -119,6 +119,7 @@ Scene math_scene() {
                     hash.add(x);
                     hash.add(raster::log2(x));
                     hash.add(raster::pow(x, y));
+                    hash.add(raster::pow_shared(x, 37.0f));
                     hash.add(raster::sin(y));
                     hash.add(raster::cos(y));
                     hash.add(raster::acos(y / 20));
