@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "end_to_end.h"
 #include "ours.h"
 #include "rival.h"
 #include "scenes.h"
@@ -34,6 +35,8 @@ struct Options {
     bool child = false;
     bool alone = false;           ///< ours only, for profiling
     bool first = false;           ///< instead: from nothing to the first frame, each in a process of its own
+    std::string raster;           ///< instead: whole processes, this command against the rival's
+    std::string picture;          ///< the rival's picture is written here
     bool processor_time = false;  ///< count the time of this process on all processors, where a machine is shared
 };
 
@@ -150,6 +153,22 @@ json run_first(const std::string& arguments) {
     return row;
 }
 
+/// From the model's file to the picture's, whole processes.
+json run_end_to_end(const Options& options, const std::string& scene, int width, int height) {
+    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+    char self[4096] = {};
+    if (readlink("/proc/self/exe", self, sizeof self - 1) < 0) return {{"error", "cannot find this program"}};
+    json row{{"scene", scene}, {"what", "raster render, bunny, whole process"}, {"width", width}, {"height", height},
+             {"threads", options.threads.front()}, {"triangles", 0}};
+    row.update(bench::end_to_end("'" + options.raster + "' render '" + options.bunny + "' --size " + size + " --threads " +
+                                     std::to_string(options.threads.front()) + " --quiet -o",
+                                 "LP_NUM_THREADS=" + std::to_string(options.threads.front() == 1 ? 0 : options.threads.front()) +
+                                     " '" + self + "' --child --scene " + scene + " --size " + size + " --bunny '" +
+                                     options.bunny + "' --picture",
+                                 options.frames));
+    return row;
+}
+
 /// One line of the table. With two threads the rival may use its better setting of one or two raster threads.
 json run(const Options& options, const std::string& scene, int width, int height, int threads) {
     const std::string arguments = "--scene " + scene + " --size " + std::to_string(width) + "x" + std::to_string(height) +
@@ -188,6 +207,8 @@ const char* const help =
     "  --bunny FILE     the OBJ file of s2, s3, s5, s7d (default: that of Debian's glmark2-data)\n"
     "  --processor-time time on processors, not on the clock: for a shared machine, with one thread\n"
     "  --first          from nothing to the first frame: target or context made, shaders compiled\n"
+    "  --end-to-end RASTER  whole processes, from the bunny's file to a PNG file: that command against OSMesa with\n"
+    "                   stb_image_write, drawing the scene (s3 is what the command draws)\n"
     "  --alone          ours only, for profiling\n"
     "  --json           figures as JSON\n";
 
@@ -222,6 +243,10 @@ bool parse(int argc, char** argv, Options& options) {
                 options.frames = std::max(1, std::atoi(value.c_str()));
             } else if (flag == "--warm-up") {
                 options.warm_up = std::max(0, std::atoi(value.c_str()));
+            } else if (flag == "--end-to-end") {
+                options.raster = value;
+            } else if (flag == "--picture") {
+                options.picture = value;
             } else if (flag == "--bunny") {
                 options.bunny = value;
             } else {
@@ -274,6 +299,10 @@ int main(int argc, char** argv) {
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     if (options.child) {
         const auto [width, height] = options.sizes.front();
+        if (!options.picture.empty()) {
+            const auto scene = bench::make_scene(options.scenes.front(), options.bunny);
+            return scene && bench::write_rival_picture(*scene, width, height, options.picture) ? 0 : 1;
+        }
         std::printf("%s\n", measure(options, options.scenes.front(), width, height, options.threads.front()).dump().c_str());
         return 0;
     }
@@ -281,7 +310,10 @@ int main(int argc, char** argv) {
     for (const auto& [width, height] : options.sizes)
         for (const int threads : options.threads)
             for (const std::string& scene : options.scenes) {
-                rows.push_back(run(options, scene, width, height, threads));
+                Options here = options;
+                here.threads = {threads};
+                rows.push_back(options.raster.empty() ? run(options, scene, width, height, threads)
+                                                      : run_end_to_end(here, scene, width, height));
                 if (!options.as_json) std::fprintf(stderr, "."), std::fflush(stderr);
             }
     if (!options.as_json) std::fprintf(stderr, "\n");
