@@ -203,15 +203,24 @@ RASTER_FLATTEN void shade_mixed(const S& shader_in, const ShadingPlanes<S>* plan
     }
     for (int c = 0; c < block_size; c += native_lanes) {
         FloatN px = to_float(IntN(x + c) + lane_index<FloatN>());
-        for (int row = 0; row < block_size; ++row) {
-            const std::uint32_t bits = std::uint32_t(mask >> (row * block_size + c) & pack_bits);
-            if (bits == 0) continue;
-            const std::int32_t* const owner = owners + row * tile_size + c;
+        for (int row = 0; row < block_size; row += 2) {
+            const auto bits_of = [&](int r) { return std::uint32_t(mask >> (r * block_size + c) & pack_bits); };
+            const std::uint32_t bits0 = bits_of(row), bits1 = bits_of(row + 1);
+            if ((bits0 | bits1) == 0) continue;
+            const std::int32_t* const owner0 = owners + row * tile_size + c;
+            const std::int32_t* const owner1 = owner0 + tile_size;
             // Pixels that nobody owns take a neighbour's planes: garbage, but tame garbage.
-            const IntN which = select(mask_of_bits<FloatN>(bits), load_int<FloatN>(owner), IntN(owner[std::countr_zero(bits)]));
-            ShadingColumn<S, FloatN> column(planes, which, px);
-            write_row<S>(target, target.index(x + c, y + row), bits, Blend::off,
-                         shade_pixels<S, FloatN>(shader, column, FloatN(float(y + row))));
+            const IntN any_owner(bits0 ? owner0[std::countr_zero(bits0)] : owner1[std::countr_zero(bits1)]);
+            const IntN which0 = select(mask_of_bits<FloatN>(bits0), load_int<FloatN>(owner0), any_owner);
+            const IntN which1 = select(mask_of_bits<FloatN>(bits1), load_int<FloatN>(owner1), any_owner);
+            ShadingColumn<S, FloatPair> column(planes, Int<FloatPair>(Int<FloatPair>::V{which0.v, which1.v}),
+                                               FloatPair(FloatPair::V{px.v, px.v}));
+            const OutputArray<S, FloatPair> out = shade_pixels<S, FloatPair>(
+                shader, column, FloatPair(FloatPair::V{FloatN(float(y + row)).v, FloatN(float(y + row + 1)).v}));
+            OutputArray<S, FloatN> out0, out1;
+            for (std::size_t i = 0; i < out.size(); ++i) out0[i] = out[i].v.half[0], out1[i] = out[i].v.half[1];
+            if (bits0) write_row<S>(target, target.index(x + c, y + row), bits0, Blend::off, out0);
+            if (bits1) write_row<S>(target, target.index(x + c, y + row + 1), bits1, Blend::off, out1);
         }
     }
 }
