@@ -106,16 +106,38 @@ Status DiffReport::add(Comparison pair, const Gates& gates) try {
         const diff_steps::Shape shape = diff_steps::shape_of(*either);
         entry.width = shape.width, entry.height = shape.height;
     }
-    // What an earlier run left about this picture is not true any more.
-    const fs::path stem = fs::path(folder_) / stem_of(pair.name);
-    for (const char* ending : {".diff.png", ".triptych.png"}) remove_if_there(stem.string() + ending);
-    remove_if_there(fs::path(folder_) / actual_name(pair));
+    remove_earlier(pair);
     Status written = Done{};
-    if (!passes(diff.verdict)) written = write_pictures(pair, entry);
+    if (!passes(diff.verdict))
+        written = difference_only_.empty() ? write_pictures(pair, entry) : write_difference(pair, entry);
     entries_.push_back(std::move(entry));
     return written;
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::input_output, folder_ + ": not enough memory for the report"};
+}
+
+DiffReport DiffReport::of_difference_only(const std::string& path) {
+    const fs::path file(path);
+    DiffReport report(file.has_parent_path() ? file.parent_path().string() : ".");
+    report.difference_only_ = file.filename().string();
+    return report;
+}
+
+/// What an earlier run left about this picture is not true any more.
+void DiffReport::remove_earlier(const Comparison& pair) const {
+    const fs::path folder(folder_);
+    if (!difference_only_.empty()) return remove_if_there(folder / difference_only_);
+    const fs::path stem = folder / stem_of(pair.name);
+    for (const char* ending : {".diff.png", ".triptych.png"}) remove_if_there(stem.string() + ending);
+    remove_if_there(folder / actual_name(pair));
+}
+
+Status DiffReport::write_difference(const Comparison& pair, ReportEntry& entry) const {
+    if (!pair.diff.figures) return Done{};
+    const Result<Bytes> png = encode_png(indexed_difference(*pair.expected.image, pair.diff));
+    if (!png) return png.error();
+    entry.difference_file = difference_only_;
+    return write_file((fs::path(folder_) / difference_only_).string(), *png, Keep::until_power_fails);
 }
 
 Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
@@ -177,6 +199,7 @@ Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
 }
 
 Status DiffReport::finish() try {
+    if (!difference_only_.empty()) return Done{};
     const fs::path folder(folder_), page = folder / "report.html", data = folder / "diff.json";
     if (!all_pass()) {
         if (const Status made = make_folder(folder); !made) return made;

@@ -37,6 +37,9 @@ class DiffReport {
 public:
     explicit DiffReport(std::string folder = "diff-out") : folder_(std::move(folder)) {}
 
+    /// A report of one comparison that writes nothing but its difference, as the PNG file `path`.
+    static DiffReport of_difference_only(const std::string& path);
+
     /// Takes in a comparison. If it fails, writes FOLDER/NAME.actual.* (a copy, for approving), NAME.diff.png and
     /// NAME.triptych.png. Errors: input_output.
     Status add(Comparison comparison, const Gates& gates);
@@ -57,8 +60,11 @@ public:
 
 private:
     Status write_pictures(Comparison& comparison, ReportEntry& entry);
+    Status write_difference(const Comparison& comparison, ReportEntry& entry) const;
+    void remove_earlier(const Comparison& comparison) const;
 
     std::string folder_;
+    std::string difference_only_;  ///< the one file to write in the folder; empty: all
     std::vector<ReportEntry> entries_;
     std::size_t embedded_bytes_ = 0;  ///< of pictures in the page so far
 };

@@ -137,7 +137,8 @@ std::string DiffReport::text() const {
     if (failed == 0)
         return words + (tolerated > 0 ? "all pass: " : "all same: ") + plural(std::int64_t(entries_.size()), "picture") +
                (tolerated > 0 ? ", " + grouped((long long)tolerated) + " within the gates" : "") + "\n";
-    words += grouped((long long)failed) + " of " + plural(std::int64_t(entries_.size()), "picture") + " failed; see " + folder_ + "/report.html\n";
+    words += grouped((long long)failed) + " of " + plural(std::int64_t(entries_.size()), "picture") + " failed" +
+             (difference_only_.empty() ? "; see " + folder_ + "/report.html\n" : "\n");
     if (approvable > 0) words += "If the actual pictures are right: raster approve " + folder_ + "\n";
     return words;
 }

@@ -99,7 +99,12 @@ Result<int> compare_all(DiffArguments& a) {
     if (!a.junit.empty())
         if (const Status writable = check_writable(a.junit); !writable) return writable.error();
 
-    DiffReport report(a.out);
+    const bool difference_only = a.out.ends_with(".png");
+    if (difference_only && std::filesystem::is_directory(a.expected, ignored))
+        return Error{ErrorKind::usage, "--out " + a.out + ": the differences of two folders want a folder"};
+    if (difference_only)
+        if (const Status writable = check_writable(a.out); !writable) return writable.error();
+    DiffReport report = difference_only ? DiffReport::of_difference_only(a.out) : DiffReport(a.out);
     for (const FilePair& pair : *pairs)
         if (const Status done = compare(pair, a, report); !done) return done.error();
     if (const Status finished = report.finish(); !finished) return finished.error();
@@ -148,9 +153,9 @@ Run add_diff(CLI::App& app) {
               "How FLIP's viewer sees the picture, 5 to 500; 67 is a wide screen at arm's length.")
         ->group(group);
     group = "What is written";
-    add_value(app, "-o,--out", "FOLDER", a->out, parse_path,
-              "On failure: report.html, diff.json, and for each picture its difference, a triptych and a copy of the actual one"
-              " (default: diff-out). When all pass, nothing.")
+    add_value(app, "-o,--out", "PATH", a->out, parse_path,
+              "On failure: a folder with report.html, diff.json, and for each picture its difference, a triptych and a"
+              " copy of the actual one (default: diff-out); or NAME.png: the difference alone. When all pass, nothing.")
         ->group(group);
     add_switch(app, "--json", a->json, "Print diff.json instead of text.")->group(group);
     add_value(app, "--junit", "FILE", a->junit, parse_path, "Write the results as JUnit XML, also when all pass.")->group(group);

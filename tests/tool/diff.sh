@@ -36,6 +36,26 @@ test_equal_pictures_leave_nothing_behind() {
     expect_files a.pgm b.pgm
 }
 
+test_the_difference_alone_where_the_output_is_a_picture() {
+    grey a.pgm 8 4 90
+    grey b.pgm 8 4 90 9 96
+    answer 1 'written +\./d\.png' a.pgm b.pgm -o d.png
+    expect_out '1 of 1 picture failed$'
+    expect_files a.pgm b.pgm d.png
+    mv d.png alone.png
+    answer 1 'different' a.pgm b.pgm
+    same alone.png diff-out/a.pgm.diff.png
+    rm -r diff-out
+    mkdir sub
+    answer 1 'written +sub/d\.png' a.pgm b.pgm --out sub/d.png
+    answer 0 'all same' a.pgm a.pgm --out sub/d.png
+    expect_files a.pgm b.pgm alone.png sub # what is not true any more is gone
+    grey wide.pgm 9 4 90
+    answer 1 'size' a.pgm wide.pgm -o d.png
+    expect_files a.pgm b.pgm wide.pgm alone.png sub # there is no difference to draw
+    answer 2 '' sub sub -o d.png
+}
+
 test_all_figures_are_told_and_what_would_pass() {
     grey a.pgm 8 4 90
     grey b.pgm 8 4 90 9 96
