@@ -121,7 +121,9 @@ color_at() {
 if [ -n "$small" ]; then
     put "# Gallery" "" \
         "The figures of the lectures, drawn by the command. \`bash demos/run.sh gallery\` draws them large, into" \
-        "\`out/gallery/index.html\`; this page comes from \`bash demos/run.sh gallery --docs\`."
+        "\`out/gallery/index.html\`; this page comes from \`bash demos/run.sh gallery --docs\`. The numbers of" \
+        "the curves come of the command too, or of \`raster_curves\`, which the demo builds from" \
+        "[curves.cpp](../demos/gallery/curves.cpp)."
 else
     cat >"$new_page" <<'HTML'
 <!DOCTYPE html>
@@ -138,7 +140,8 @@ figcaption { font-size: 14px; contain: inline-size; }
 code { display: block; font-size: 12px; overflow-wrap: anywhere; opacity: 0.8; }
 </style></head><body>
 <h1>The gallery</h1>
-<p>The figures of the lectures, drawn by the command below each of them.</p>
+<p>The figures of the lectures, drawn by the command below each of them. The numbers of the curves come of the command
+too, or of raster_curves, which the demo builds from demos/gallery/curves.cpp.</p>
 HTML
 fi
 echo "Figures:"

@@ -50,6 +50,7 @@ row_of 200 $scenes/clay_vases.json --camera-focal-point 1.1,0.95,0 --camera-posi
 figure R5 "Oren-Nayar: clay" \
     "By Lambert's law a vase that is lit from the viewer darkens towards its outline. A clay vase does not: its roughness has facets that face the light even there. Oren and Nayar's model is nearly flat across the vase, as the photographs are."
 picture clay_vases 480x300 "Lambert left, Oren-Nayar with sigma = 0.5 right" $scenes/clay_vases.json
+from+="; for the left vase with -1.1 instead of 1.1"
 plot clay_curve "The light across the widest part of both vases" <<GNUPLOT
 set xlabel 'pixel'; set ylabel 'radiance, red channel'; set key bottom center
 plot [30:370] '$data/lambert' using 1:2 lc rgb '#1f4e9c' lw 2 dt 2 title 'Lambert', \
