@@ -1,6 +1,8 @@
 // draw_plan.cpp: from materials, textures, lights and camera to the uniforms and states of draw calls.
 #include <raster/scene/draw_plan.h>
 
+#include <raster/scene/specular_color.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -90,9 +92,7 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& material) const {
     const std::optional<AnyReflectance> own = find_reflectance(m.reflectance);
     AnyReflectance reflectance = own.value_or(options_.reflectance);
     if (own || options_.reflectance_from_material) reflectance = RuntimeModel{reflectance}.with_material(m).model;
-    // A metal's colour comes of Fresnel's equations; a model that knows none gets the colour itself.
-    const auto has_fresnel = []<class M>(const M&) { return requires(const M model) { model.fresnel; }; };
-    if (is_metal && !std::visit(has_fresnel, reflectance)) s.specular = metal_ambient(m);
+    if (m.illumination >= 2) s.specular = specular_color(m, reflectance);
     return {s, reflectance, s.alpha < 1.0f || s.alpha_texture};
 }
 

@@ -35,10 +35,10 @@ std::string names_of(const auto& list) {
 std::span<const Shape> shape_list() {
     static const std::vector<Shape> list = {
         {"box", "around the origin",
-         {length("width", 2), length("height", 2), length("depth", 2)},
+         {length("width", 2), length("height", 2), length("depth", 2), count("divisions", 1, 1, 256)},
          [](Values v) {
              const glm::vec3 half = glm::vec3(glm::dvec3(v[0], v[1], v[2]) * 0.5);
-             return box(-half, half);
+             return box(-half, half, int(v[3]));
          }},
         {"bowl", "the lower half of a sphere, open",
          {count("segments", 48, 3), count("rings", 12, 1)},

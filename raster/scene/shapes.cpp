@@ -10,17 +10,31 @@ namespace raster {
 
 using detail::ModelBuilder;
 
-Model box(const glm::vec3& low, const glm::vec3& high) {
+Model box(const glm::vec3& low, const glm::vec3& high, int divisions) {
+    const int n = std::clamp(divisions, 1, 256);
     ModelBuilder builder;
     const auto corner = [&](int x, int y, int z) {
         return glm::dvec3(x ? high.x : low.x, y ? high.y : low.y, z ? high.z : low.z);
     };
-    builder.face(corner(1, 0, 1), corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1));  // +x
-    builder.face(corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0));  // -x
-    builder.face(corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0), corner(0, 1, 0));  // +y
-    builder.face(corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1));  // -y
-    builder.face(corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1));  // +z
-    builder.face(corner(1, 0, 0), corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0));  // -z
+    const auto side = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+        if (n == 1) return builder.face(a, b, c, d);
+        const glm::dvec3 normal = glm::cross(c - a, d - b);
+        const auto first = ModelBuilder::Index(builder.vertex_count());
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) {
+                const double u = double(i) / n, v = double(j) / n;
+                builder.vertex(a + (b - a) * u + (d - a) * v, normal, {u, v});
+            }
+        const auto at = [&](int i, int j) { return first + ModelBuilder::Index(j * (n + 1) + i); };
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) builder.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    };
+    side(corner(1, 0, 1), corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1));  // +x
+    side(corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0));  // -x
+    side(corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0), corner(0, 1, 0));  // +y
+    side(corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1));  // -y
+    side(corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1));  // +z
+    side(corner(1, 0, 0), corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0));  // -z
     builder.part("box");
     return builder.take();
 }

@@ -16,9 +16,9 @@
 
 namespace raster {
 
-/// The box between two corners: 6 faces with normals of their own, 12 triangles, the whole texture on each
-/// face.
-Model box(const glm::vec3& low, const glm::vec3& high);
+/// The box between two corners: 6 faces with normals of their own, each of divisions x divisions quads, 1 to 256, the
+/// whole texture on each face.
+Model box(const glm::vec3& low, const glm::vec3& high, int divisions = 1);
 /// The box from -1 to 1: side 2, as the box of the benchmark scenes.
 Model cube();
 /// The regular tetrahedron on four corners of the cube from -1 to 1, with flat faces.

@@ -52,6 +52,8 @@ public:
         triangle(i, j, vertex(c, n, {0.5, 1}));
     }
 
+    std::size_t vertex_count() const { return model_.vertices.size(); }
+
     int material(Material material) {
         model_.materials.push_back(std::move(material));
         return int(model_.materials.size()) - 1;

@@ -142,8 +142,8 @@ Material physically_based(const Material& material) {
         }
     }
     if (m.anisotropy > 0.0f) {
-        m.reflectance = "ward";  // which has no Fresnel term
-        m.specular = glm::vec3(r0 * (1.0f - metal)) + material.diffuse * metal;
+        m.reflectance = "ward";  // which has no Fresnel term; a metal's colour is that of n and k
+        if (!(metal > 0.0f)) m.specular = glm::vec3(r0);
     }
     return m;
 }

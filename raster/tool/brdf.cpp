@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include <raster/image/file.h>
+#include <raster/scene/specular_color.h>
 #include <raster/shading/materials.h>
 #include <raster/shading/measured_bake.h>
 
@@ -47,8 +48,9 @@ Result<MeasuredTable> table_of(const std::string& text, const MeasuredSize& size
     Material material = default_material();
     change->apply_to(material);
     material = physically_based(material);
-    const AnyReflectance model = find_reflectance(material.reflectance).value_or(BlinnPhong{});
-    return bake_measured(RuntimeModel{model}.with_material(material).model, material.diffuse, material.specular, size);
+    const AnyReflectance asked = find_reflectance(material.reflectance).value_or(BlinnPhong{});
+    const AnyReflectance model = RuntimeModel{asked}.with_material(material).model;
+    return bake_measured(model, material.diffuse, specular_color(material, model), size);
 }
 
 Result<int> run_brdf(const BrdfArguments& a) {

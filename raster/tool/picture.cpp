@@ -103,7 +103,10 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
     std::string names;
     for (const std::string_view name : reflectance_names()) names += (names.empty() ? "" : ", ") + std::string(name);
     shading(add_value(app, "--reflectance", "MODEL", o.reflectance, parse_reflectance,
-                      "How surfaces reflect light whose materials do not say it: " + names + ". [blinn-phong]"));
+                      "How surfaces reflect light whose materials do not say it: " + names +
+                          ". phong is (r v)^n, blinn-phong (n h)^n and blinn-phong-quarter (n h)^(n/4), n the"
+                          " material's Ns; cook-torrance divides by 4 pi, cook-torrance-pi by pi; ward is the bounded"
+                          " form of 2010, ward-1992 the first. [blinn-phong]"));
     shading(add_values(app, "--light", "LIGHT", flags.lights, parse_light, light_help));
     shading(add_values(app, "--material", "CHANGE", flags.materials, parse_material, material_help()));
     shading(app.add_flag("--two-sided,!--no-two-sided", o.two_sided,
