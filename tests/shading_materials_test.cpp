@@ -1,5 +1,6 @@
 // Substances by name, and the physically based keys of MTL files.
 #include <gtest/gtest.h>
+#include <raster/scene/specular_color.h>
 #include <raster/shading/materials.h>
 #include <raster/shading/models.h>
 
@@ -91,6 +92,25 @@ TEST(PhysicallyBased, WithAnisotropyIsWards) {
     const auto ward = std::get<Ward>(model_of(physically_based(m)));
     EXPECT_LT(ward.along, ward.across);
     EXPECT_NEAR(ward.along * ward.across, 0.25f * 0.25f, 1e-5f);
+}
+
+TEST(PhysicallyBased, AMetalHasItsColourOnceUnderEveryModel) {
+    Material m;
+    m.physically_based = true;
+    m.diffuse = {0.8f, 0.5f, 0.2f};
+    m.metallic = 1;
+    for (const float anisotropy : {0.0f, 0.9f}) {
+        m.anisotropy = anisotropy;
+        const Material metal = physically_based(m);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(metal_ambient(metal)[c], m.diffuse[c], 1e-4f) << anisotropy;
+            EXPECT_NEAR(specular_color(metal, Phong{})[c], m.diffuse[c], 1e-4f) << anisotropy;
+            EXPECT_NEAR(specular_color(metal, Ward{})[c], m.diffuse[c], 1e-4f) << anisotropy;
+            EXPECT_EQ(specular_color(metal, CookTorrance{})[c], 1.0f) << "Fresnel's equations give it";
+        }
+    }
+    m.metallic = 0;
+    EXPECT_NEAR(specular_color(physically_based(m), Ward{}).x, 0.04f, 1e-5f);
 }
 
 }  // namespace

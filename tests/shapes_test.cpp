@@ -26,6 +26,7 @@ std::vector<NamedModel> all_models() {
     const std::vector<glm::dvec2> outline = {{0, 0}, {0.5, 0}, {0.5, 0}, {0.3, 1}, {0.6, 1.5}};
     return {{"cube", cube()},
             {"box", box({-1, 0, 2}, {4, 0.5f, 3})},
+            {"box 5", box({-1, 0, 2}, {4, 0.5f, 3}, 5)},
             {"tetrahedron", tetrahedron()},
             {"plane", plane()},
             {"plane 1", plane(1)},
@@ -108,6 +109,7 @@ TEST(Shapes, TexturesAreNotMirrored) {
 TEST(Shapes, ClosedOnesAreWatertightAndOthersOpenWhereTheyShould) {
     const std::tuple<const char*, Model, int, std::size_t> cases[] = {
         {"cube", cube(), 2, 0},
+        {"box in pieces", box(glm::vec3(-1), glm::vec3(1), 3), 2, 0},
         {"tetrahedron", tetrahedron(), 2, 0},
         {"sphere", sphere(), 2, 0},
         {"coarse sphere", sphere(3, 2), 2, 0},
@@ -131,6 +133,8 @@ TEST(Shapes, HaveTheVolumesOfTheirSolids) {
     EXPECT_DOUBLE_EQ(Surface(cube()).volume(), 8);
     EXPECT_DOUBLE_EQ(Surface(tetrahedron()).volume(), 8.0 / 3);
     EXPECT_DOUBLE_EQ(Surface(box({-1, 0, 2}, {4, 0.5f, 3})).volume(), 2.5);
+    EXPECT_DOUBLE_EQ(Surface(box({-1, 0, 2}, {4, 0.5f, 3}, 4)).volume(), 2.5);
+    EXPECT_EQ(box({-1, 0, 2}, {4, 0.5f, 3}, 4).indices.size(), 6u * 16 * 6);
     EXPECT_NEAR(Surface(sphere(400, 200)).volume(), 4 * pi / 3, 1e-3);
     EXPECT_NEAR(Surface(torus(0.25f, 400, 200)).volume(), 2 * pi * pi * 0.0625, 1e-3);
     EXPECT_NEAR(Surface(cylinder(1000)).volume(), 2 * pi, 1e-4);

@@ -27,6 +27,14 @@ test_a_table_looks_like_what_it_was_baked_from() {
     [ "$status" = 1 ] || failed 'another material is not seen'
 }
 
+test_a_metal_keeps_its_colour_under_a_model_without_fresnel() {
+    expect 0 '' brdf gold:reflectance=phong -o gold.binary
+    expect 0 '' render shape:sphere --size 64x64 --material gold:reflectance=phong --light directional:dir=-1,-1,-1 \
+        -o model.png
+    expect 0 '' render shape:sphere --size 64x64 --material brdf=gold.binary --light directional:dir=-1,-1,-1 -o table.png
+    expect 0 '' diff model.png table.png --max-delta 4
+}
+
 test_a_table_can_be_baked_of_a_table() {
     expect 0 '' brdf iron -o a.binary "${small[@]}"
     expect 0 '' brdf a.binary -o b.binary
