@@ -91,6 +91,25 @@ void cube_and_ground(Scene& scene) {
     scene.eye_from_world = ground_camera();
 }
 
+/// A torus of across x along quads, without raster::torus's limit of 1024 each.
+void fine_torus(Scene& scene, int across, int along) {
+    std::vector<raster::SinCos> turns;
+    for (int j = 0; j < along; ++j) turns.push_back(raster::sin_cos_degrees(360.0 * j / along));
+    for (int i = 0; i < across; ++i) {
+        const auto [s, c] = raster::sin_cos_degrees(360.0 * i / across);
+        for (const auto& [sin, cos] : turns) {
+            const glm::dvec3 normal(c * cos, sin, s * cos);
+            scene.vertices.push_back({glm::vec3(glm::dvec3(c, 0, s) + 0.4 * normal), glm::vec3(normal), {0, 0}});
+        }
+    }
+    const auto at = [&](int i, int j) { return std::uint32_t(i % across) * std::uint32_t(along) + std::uint32_t(j % along); };
+    for (int i = 0; i < across; ++i)
+        for (int j = 0; j < along; ++j) {
+            const std::uint32_t a = at(i, j), b = at(i, j + 1), c = at(i + 1, j + 1), d = at(i + 1, j);
+            scene.indices.insert(scene.indices.end(), {a, b, c, a, c, d});
+        }
+}
+
 void layers(Scene& scene, int count, bool back_to_front) {
     scene.shading = Shading::flat_color;
     scene.cull_back = false;
@@ -185,7 +204,7 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
         scene.what = "torus, Gouraud";
         scene.shading = Shading::gouraud;
         const int across = std::max(3, int(std::lround(std::sqrt(double(count) / 2.5))));
-        take(scene, raster::torus(0.4f, across, std::max(3, count / 2 / across)));
+        fine_torus(scene, across, std::max(3, count / 2 / across));
         place_model(scene);
     } else if (const int quads = number_after("layers:", name); quads > 0) {
         scene.what = "full-screen quads, back to front";
