@@ -6,7 +6,8 @@
 # Needs imagemagick (which makes the pictures); idiff is in openimageio-tools; the other two are found on PATH or in
 # $RASTER_DIFF_TOOLS/node_modules/.bin (npm install --prefix FOLDER pixelmatch odiff-bin). Each is run five times, in turn
 # with the others, and its best times count: from start to end, and of the processor. All write their picture of the
-# difference; `raster diff` writes its whole report. The last column is the time from start to end by ours.
+# difference; `report` is `raster diff` as it comes, which writes a whole report. The last column is the time from start to
+# end by that of `raster`.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 raster=$(realpath "${1:-build/release/raster/tool/raster}")
@@ -33,7 +34,8 @@ cp expected.png equal.png
 "$convert" expected.png -attenuate 0.3 -seed 3 +noise Gaussian PNG24:noise.png
 
 declare -A command=(
-    [raster]="$raster diff expected.png ACTUAL"
+    [raster]="$raster diff expected.png ACTUAL -o raster.png"
+    [report]="$raster diff expected.png ACTUAL"
     [odiff]="odiff expected.png ACTUAL odiff.png -t 0"
     [pixelmatch]="pixelmatch expected.png ACTUAL pixelmatch.png 0 true"
     [compare]="$(first_of compare-im6.q16 compare) -metric AE expected.png ACTUAL compare.png"
@@ -49,7 +51,7 @@ printf '%-8s %-12s %8s %8s %10s\n' pair program ms cpu-ms "by ours"
 for actual in equal few all noise; do
     declare -A best=() cpu=()
     for round in 1 2 3 4 5; do
-        for name in raster odiff pixelmatch compare idiff; do
+        for name in raster report odiff pixelmatch compare idiff; do
             read -ra words <<<"${command[$name]//ACTUAL/$actual.png}"
             command -v "${words[0]}" >/dev/null || continue
             rm -rf diff-out
@@ -58,7 +60,7 @@ for actual in equal few all noise; do
             if [ -z "${cpu[$name]:-}" ] || [ "$used" -lt "${cpu[$name]}" ]; then cpu[$name]=$used; fi
         done
     done
-    for name in raster odiff pixelmatch compare idiff; do
+    for name in raster report odiff pixelmatch compare idiff; do
         [ -n "${best[$name]:-}" ] || continue
         printf '%-8s %-12s %8d %8d %9sx\n' "$actual" "$name" "${best[$name]}" "${cpu[$name]}" \
             "$(awk "BEGIN { printf \"%.1f\", ${best[$name]} / ${best[raster]} }")"
