@@ -48,7 +48,7 @@ def plot(rows, folder):
 set output '{folder}/growth-{name}.svg'
 set xlabel '{sweep["label"]}'
 set ylabel 'ms a frame, best'
-set key top left
+set key top {'right' if name == 'threads' else 'left'}
 set grid
 {scale}
 {data}plot {curves}
