@@ -99,10 +99,12 @@ inline F min(F a, std::type_identity_t<F> b) {
     if constexpr (detail::is_pair<lanes<F>>)
         return detail::by_halves<F>([](auto a, auto b) { return min(a, b); }, a, b);
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
-    if constexpr (lanes<F> == 8) return detail::bits<typename F::V>(_mm256_min_ps(detail::bits<__m256>(a.v), detail::bits<__m256>(b.v)));
+    if constexpr (lanes<F> == 8)
+        return detail::bits<typename F::V>(_mm256_min_ps(detail::bits<__m256>(a.v), detail::bits<__m256>(b.v)));
 #endif
 #if defined(__SSE2__) && RASTER_VECTOR_EXTENSIONS
-    if constexpr (lanes<F> == 4) return detail::bits<typename F::V>(_mm_min_ps(detail::bits<__m128>(a.v), detail::bits<__m128>(b.v)));
+    if constexpr (lanes<F> == 4)
+        return detail::bits<typename F::V>(_mm_min_ps(detail::bits<__m128>(a.v), detail::bits<__m128>(b.v)));
 #endif
     return select(a < b, a, b);
 }
@@ -112,10 +114,12 @@ inline F max(F a, std::type_identity_t<F> b) {
     if constexpr (detail::is_pair<lanes<F>>)
         return detail::by_halves<F>([](auto a, auto b) { return max(a, b); }, a, b);
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
-    if constexpr (lanes<F> == 8) return detail::bits<typename F::V>(_mm256_max_ps(detail::bits<__m256>(a.v), detail::bits<__m256>(b.v)));
+    if constexpr (lanes<F> == 8)
+        return detail::bits<typename F::V>(_mm256_max_ps(detail::bits<__m256>(a.v), detail::bits<__m256>(b.v)));
 #endif
 #if defined(__SSE2__) && RASTER_VECTOR_EXTENSIONS
-    if constexpr (lanes<F> == 4) return detail::bits<typename F::V>(_mm_max_ps(detail::bits<__m128>(a.v), detail::bits<__m128>(b.v)));
+    if constexpr (lanes<F> == 4)
+        return detail::bits<typename F::V>(_mm_max_ps(detail::bits<__m128>(a.v), detail::bits<__m128>(b.v)));
 #endif
     return select(a > b, a, b);
 }

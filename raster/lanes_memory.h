@@ -159,7 +159,8 @@ inline void transpose4(__m256 r0, __m256 r1, __m256 r2, __m256 r3, FloatPack<8>&
 #endif
 
 /// Four consecutive floats at base + stride * index in each lane, transposed: record i's four end in lane i of a, b, c, d.
-inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d, std::ptrdiff_t stride = 4) {
+inline void gather4(const float* base, std::int32_t index, float& a, float& b, float& c, float& d,
+                    std::ptrdiff_t stride = 4) {
     const float* p = base + stride * index;
     a = p[0], b = p[1], c = p[2], d = p[3];
 }
@@ -177,7 +178,8 @@ inline void gather4(const float* base, IntPack<N> index, FloatPack<N>& a, FloatP
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
         if constexpr (N == 8) {
             const auto two = [&](int i) {
-                return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(record(i))), _mm_loadu_ps(record(i + 4)), 1);
+                return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(record(i))),
+                                            _mm_loadu_ps(record(i + 4)), 1);
             };
             detail::transpose4(two(0), two(1), two(2), two(3), a, b, c, d);
             return;
@@ -199,7 +201,8 @@ inline void scatter4(float* base, int count, std::ptrdiff_t stride, FloatPack<N>
         const auto in = [](FloatPack<N> x) { return detail::bits<__m256>(x.v); };
         FloatPack<N> r[4];
         detail::transpose4(in(a), in(b), in(c), in(d), r[0], r[1], r[2], r[3]);
-        for (int i = 0; i < count; ++i) std::memcpy(base + stride * i, reinterpret_cast<const float*>(&r[i & 3].v) + (i & 4), 16);
+        for (int i = 0; i < count; ++i)
+            std::memcpy(base + stride * i, reinterpret_cast<const float*>(&r[i & 3].v) + (i & 4), 16);
         return;
     }
 #endif

@@ -43,8 +43,8 @@ namespace raster {
 /// Draws a mesh: lanes, tiles, all threads. `target` must have the extra planes that the shader's outputs fill; missing
 /// ones are not written.
 template <Shader S>
-DrawCounts draw(Target& target, const S& shader, const std::type_identity_t<Mesh<typename S::template Vertex<float>>>& mesh,
-                const State& state = {}) {
+DrawCounts draw(Target& target, const S& shader,
+                const std::type_identity_t<Mesh<typename S::template Vertex<float>>>& mesh, const State& state = {}) {
     if (corner_count(state.topology) < 3) return tiles::draw_strokes(target, shader, mesh, state);
     return tiles::draw(target, shader, mesh, state);
 }
@@ -209,7 +209,8 @@ private:
         std::array<float, 3> oow = {window[corner(0)].oow, window[corner(1)].oow, window[corner(2)].oow};
         if constexpr (requires { variant_.change_perspective(oow); }) variant_.change_perspective(oow);
         const auto planes = make_varying_planes<S, float>(
-            setup.basis, {&corners[corner(0)].varyings, &corners[corner(1)].varyings, &corners[corner(2)].varyings}, oow);
+            setup.basis, {&corners[corner(0)].varyings, &corners[corner(1)].varyings, &corners[corner(2)].varyings},
+            oow);
         notify<SetupEvent>(observer_, [&] { return SetupEvent{triangle, piece, setup, planes.oow, planes.planes}; });
 
         const PixelBox box = pixels_to_run(observer_, setup.box);
@@ -266,8 +267,9 @@ private:
 
 /// The same draw one pixel after the other, with an observer that is told of every stage (trace/events.h).
 template <Shader S, class Observer>
-DrawCounts draw(Target& target, const S& shader, const std::type_identity_t<Mesh<typename S::template Vertex<float>>>& mesh,
-                const State& state, Observer&& observer) {
+DrawCounts draw(Target& target, const S& shader,
+                const std::type_identity_t<Mesh<typename S::template Vertex<float>>>& mesh, const State& state,
+                Observer&& observer) {
     return detail::ObservedDraw<S, std::remove_reference_t<Observer>>(target, shader, mesh, state, observer).run();
 }
 

@@ -25,7 +25,8 @@ using raster::testing::Random;
 
 std::optional<std::string> find_program(const std::string& name) {
     std::string folders = std::getenv("PATH") != nullptr ? std::getenv("PATH") : "";
-    if (const char* tools = std::getenv("RASTER_DIFF_TOOLS")) folders += std::string(":") + tools + "/node_modules/.bin";
+    if (const char* tools = std::getenv("RASTER_DIFF_TOOLS"))
+        folders += std::string(":") + tools + "/node_modules/.bin";
     std::stringstream all(folders);
     for (std::string folder; std::getline(all, folder, ':');)
         if (fs::exists(folder + "/" + name)) return folder + "/" + name;
@@ -59,13 +60,15 @@ protected:
         folder = name;
         Random random{std::uint64_t(GetParam())};
         expected = Image8(61 + 10 * GetParam(), 47, 3);
-        for (std::size_t i = 0; i < expected.samples.size(); ++i) expected.samples[i] = std::uint8_t(random.integer(0, 255));
+        for (std::size_t i = 0; i < expected.samples.size(); ++i)
+            expected.samples[i] = std::uint8_t(random.integer(0, 255));
         actual = expected;
         const int changes[] = {0, 1, 40, 2000, 20000}, largest[] = {0, 1, 255, 3, 255};
         for (int i = 0; i < changes[GetParam()]; ++i) {
             const auto where = std::size_t(random.integer(0, int(actual.samples.size()) - 1));
             const int step = random.integer(1, largest[GetParam()]);
-            actual.samples[where] = std::uint8_t(std::clamp(int(expected.samples[where]) + (random.integer(0, 1) == 0 ? step : -step), 0, 255));
+            actual.samples[where] = std::uint8_t(
+                std::clamp(int(expected.samples[where]) + (random.integer(0, 1) == 0 ? step : -step), 0, 255));
         }
         ASSERT_TRUE(raster::write_png(file("a.png"), expected));
         ASSERT_TRUE(raster::write_png(file("b.png"), actual));
@@ -100,7 +103,9 @@ TEST_P(Cross, IdiffFindsTheSame) {
 TEST_P(Cross, ImageMagickFindsTheSame) {
     const auto compare = find_program("compare");
     if (!compare) GTEST_SKIP() << "compare is not installed (imagemagick)";
-    const auto metric = [&](const std::string& name) { return output_of(*compare + " -metric " + name + both() + " null:"); };
+    const auto metric = [&](const std::string& name) {
+        return output_of(*compare + " -metric " + name + both() + " null:");
+    };
     EXPECT_NEAR(number_after(metric("AE"), ""), double(figures.differing), 1e-5 * double(figures.differing));
     // "123.4 (0.0123)": the normalised one.
     EXPECT_NEAR(number_after(metric("MAE"), R"(\()"), figures.mean / 255, 1e-5 * figures.mean / 255 + 1e-9);

@@ -206,7 +206,8 @@ Image8 constant(int width, int height, std::array<int, 3> color) {
 Image8 scribble(Random& random, Image8 image, int count) {
     for (int n = 0; n < count; ++n) {
         const int x0 = random.integer(0, image.width - 1), y0 = random.integer(0, image.height - 1);
-        const int x1 = std::min(x0 + random.integer(1, 12), image.width), y1 = std::min(y0 + random.integer(1, 9), image.height);
+        const int x1 = std::min(x0 + random.integer(1, 12), image.width),
+                  y1 = std::min(y0 + random.integer(1, 9), image.height);
         const std::array<int, 3> color = {random.integer(0, 255), random.integer(0, 255), random.integer(0, 255)};
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x)
@@ -270,7 +271,8 @@ TEST(Flip, TilesMeetWithoutASeam) {
         return part;
     };
     const ImageF map = map_of(a, b);
-    const Plane expected = flip_by_the_paper(linear(corner(a)), linear(corner(b)), double(raster::default_pixels_per_degree));
+    const Plane expected =
+        flip_by_the_paper(linear(corner(a)), linear(corner(b)), double(raster::default_pixels_per_degree));
     for (int y = margin; y < 140 - top; ++y)
         for (int x = margin; x < 275 - left; ++x)
             EXPECT_NEAR(*map.pixel(left + x, top + y), expected[std::size_t(y * (275 - left) + x)], 2e-4);

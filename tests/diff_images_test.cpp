@@ -114,7 +114,8 @@ TEST(Diff, WhatIsSaidToPassPassesAndNothingTighterDoes) {
         const Image8 a = grey(30, 20);
         Image8 b = a;
         for (int i = random.integer(1, 40); i > 0; --i)
-            b.pixel(random.integer(0, 29), random.integer(0, 19))[random.integer(0, 2)] = std::uint8_t(random.integer(60, 180));
+            b.pixel(random.integer(0, 29), random.integer(0, 19))[random.integer(0, 2)] =
+                std::uint8_t(random.integer(60, 180));
         Gates given;
         if (random.integer(0, 1) == 1) given.max_delta = random.integer(0, 10);
         if (random.integer(0, 1) == 1) given.max_pixels = random.integer(0, 5);
@@ -123,13 +124,15 @@ TEST(Diff, WhatIsSaidToPassPassesAndNothingTighterDoes) {
         if (raster::passes(diff.verdict)) continue;
         ASSERT_FALSE(diff.would_pass.empty());
         for (const Gates& gates : diff.would_pass) {
-            EXPECT_EQ(compare(a, b, gates).verdict, Verdict::tolerated) << to_string(given) << " -> " << to_string(gates);
+            EXPECT_EQ(compare(a, b, gates).verdict, Verdict::tolerated)
+                << to_string(given) << " -> " << to_string(gates);
             Gates tighter = gates;
             if (gates.max_delta && gates.max_delta != given.max_delta) *tighter.max_delta -= 1;
             else if (gates.max_pixels && gates.max_pixels != given.max_pixels) *tighter.max_pixels -= 1;
             else if (gates.max_shift && gates.max_shift != given.max_shift) *tighter.max_shift -= 1;
             else *tighter.flip *= 0.8;
-            EXPECT_EQ(compare(a, b, tighter).verdict, Verdict::different) << to_string(gates) << " -> " << to_string(tighter);
+            EXPECT_EQ(compare(a, b, tighter).verdict, Verdict::different)
+                << to_string(gates) << " -> " << to_string(tighter);
         }
     }
 }
@@ -147,11 +150,13 @@ TEST(Diff, AGateFarLooserThanNeededIsWarnedOf) {
     const Image8 a = grey(40, 20), b = six_steps(a);
     EXPECT_THAT(compare(a, b, {.max_delta = 6}).warnings, IsEmpty());
     EXPECT_THAT(compare(a, b, {.max_delta = 10}).warnings, IsEmpty());
-    EXPECT_THAT(compare(a, b, {.max_delta = 60}).warnings, Contains("--max-delta 60 is far looser than needed: 6 would pass"));
+    EXPECT_THAT(compare(a, b, {.max_delta = 60}).warnings,
+                Contains("--max-delta 60 is far looser than needed: 6 would pass"));
     EXPECT_THAT(compare(a, b, {.max_delta = 16}).warnings, IsEmpty());
     EXPECT_THAT(compare(a, b, {.max_delta = 17}).warnings, Not(IsEmpty()));
     EXPECT_THAT(compare(a, a, {.max_delta = 51}).warnings, Contains(HasSubstr("0 would pass")));
-    EXPECT_THAT(compare(a, b, {.max_pixels = 500}).warnings, Contains("--max-pixels 500 is far looser than needed: 6 would pass"));
+    EXPECT_THAT(compare(a, b, {.max_pixels = 500}).warnings,
+                Contains("--max-pixels 500 is far looser than needed: 6 would pass"));
     EXPECT_THAT(compare(a, b, {.flip = 0.5}).warnings, Contains(HasSubstr("--flip 0.5 is far looser")));
     EXPECT_THAT(compare(a, b, {.max_delta = 6, .max_shift = 4}).warnings, Contains(HasSubstr("--max-shift 4")));
 }
@@ -161,7 +166,8 @@ TEST(Diff, StepsOfSixteenBitsAreSmall) {
     raster::Image16 b = a;
     b.pixel(4, 4)[1] += 7;
     EXPECT_THAT(compare(a, b, {.max_delta = 18}).warnings, IsEmpty());
-    EXPECT_THAT(compare(a, b, {.max_delta = 700}).warnings, Contains("--max-delta 700 is far looser than needed: 7 would pass"));
+    EXPECT_THAT(compare(a, b, {.max_delta = 700}).warnings,
+                Contains("--max-delta 700 is far looser than needed: 7 would pass"));
 }
 
 // ------------------------------------------------------------------------------------------- named failures
@@ -190,7 +196,13 @@ TEST(Diff, WholeNumbersAgainstFloatsIsAFailureByName) {
 TEST(Diff, OptionsOutOfTheirRangeAreUsageErrors) {
     const Image8 a = grey(4, 4);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const Gates& gates : {Gates{.max_delta = -1}, {.max_delta = nan}, {.max_pixels = -1}, {.max_shift = 17}, {.max_shift = -1}, {.flip = 1.5}, {.flip = nan}}) {
+    for (const Gates& gates : {Gates{.max_delta = -1},
+                               {.max_delta = nan},
+                               {.max_pixels = -1},
+                               {.max_shift = 17},
+                               {.max_shift = -1},
+                               {.flip = 1.5},
+                               {.flip = nan}}) {
         DiffOptions options;
         options.gates = gates;
         const auto diff = diff_images(a, a, options);
@@ -310,7 +322,8 @@ TEST(Diff, RegionsHoldEveryFailingPixel) {
 TEST(Diff, IsTheSameForEveryNumberOfThreads) {
     Random random(6);
     ImageF a(300, 200, 3), b(300, 200, 3);
-    for (std::size_t i = 0; i < a.samples.size(); ++i) a.samples[i] = random.uniform(0, 1), b.samples[i] = a.samples[i] + random.uniform(-0.1f, 0.1f);
+    for (std::size_t i = 0; i < a.samples.size(); ++i)
+        a.samples[i] = random.uniform(0, 1), b.samples[i] = a.samples[i] + random.uniform(-0.1f, 0.1f);
     const Diff all = compare(a, b, {.max_shift = 1});
     for (const int threads : {1, 2, 4}) {
         tbb::task_arena arena(threads);

@@ -61,7 +61,9 @@ TEST(PlainMetrics, AreWhatSumsInReadingOrderGive) {
     for (int channels = 1; channels <= 4; ++channels) {
         const Image8 a = noise(random, 37, 23, channels);
         Image8 b = a;
-        for (int i = 0; i < 200; ++i) b.samples[std::size_t(random.integer(0, int(b.samples.size()) - 1))] ^= std::uint8_t(random.integer(0, 255));
+        for (int i = 0; i < 200; ++i)
+            b.samples[std::size_t(random.integer(0, int(b.samples.size()) - 1))] ^=
+                std::uint8_t(random.integer(0, 255));
         const PlainMetrics m = metrics_of(a, b);
         double sum = 0, squares = 0, largest = 0;
         int differing = 0;
@@ -137,7 +139,8 @@ double luma(const Image8& image, int x, int y) {
 double ssim_by_the_paper(const Image8& a, const Image8& b) {
     double weights[11][11], total = 0;
     for (int v = 0; v < 11; ++v)
-        for (int u = 0; u < 11; ++u) total += weights[v][u] = std::exp(-((u - 5) * (u - 5) + (v - 5) * (v - 5)) / (2 * 1.5 * 1.5));
+        for (int u = 0; u < 11; ++u)
+            total += weights[v][u] = std::exp(-((u - 5) * (u - 5) + (v - 5) * (v - 5)) / (2 * 1.5 * 1.5));
     const int x0 = a.width < 11 ? 0 : 5, x1 = a.width < 11 ? a.width : a.width - 5;
     const int y0 = a.height < 11 ? 0 : 5, y1 = a.height < 11 ? a.height : a.height - 5;
     double sum = 0;
@@ -146,11 +149,13 @@ double ssim_by_the_paper(const Image8& a, const Image8& b) {
             double ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
             for (int v = 0; v < 11; ++v)
                 for (int u = 0; u < 11; ++u) {
-                    const double w = weights[v][u] / total, p = luma(a, x + u - 5, y + v - 5), q = luma(b, x + u - 5, y + v - 5);
+                    const double w = weights[v][u] / total, p = luma(a, x + u - 5, y + v - 5),
+                                 q = luma(b, x + u - 5, y + v - 5);
                     ma += w * p, mb += w * q, aa += w * p * p, bb += w * q * q, ab += w * p * q;
                 }
             const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
-            sum += (2 * ma * mb + c1) * (2 * (ab - ma * mb) + c2) / ((ma * ma + mb * mb + c1) * (aa - ma * ma + bb - mb * mb + c2));
+            sum += (2 * ma * mb + c1) * (2 * (ab - ma * mb) + c2) /
+                   ((ma * ma + mb * mb + c1) * (aa - ma * ma + bb - mb * mb + c2));
         }
     return sum / ((x1 - x0) * (y1 - y0));
 }
@@ -164,7 +169,8 @@ TEST(Ssim, IsWhatThePaperSays) {
     for (const auto& [width, height] : {std::pair(30, 25), {11, 11}, {300, 90}, {7, 40}, {1, 1}}) {
         const Image8 a = noise(random, width, height, 3);
         Image8 b = a;
-        for (int i = 0; i < width * height / 4; ++i) b.samples[std::size_t(random.integer(0, int(b.samples.size()) - 1))] = std::uint8_t(random.integer(0, 255));
+        for (int i = 0; i < width * height / 4; ++i)
+            b.samples[std::size_t(random.integer(0, int(b.samples.size()) - 1))] = std::uint8_t(random.integer(0, 255));
         b.samples[0] = std::uint8_t(a.samples[0] ^ 0x80);
         EXPECT_NEAR(ssim_of(a, b), ssim_by_the_paper(a, b), 2e-5) << width << "x" << height;
     }

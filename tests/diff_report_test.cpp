@@ -121,7 +121,8 @@ TEST_F(Report, AFailureIsWrittenWhole) {
     ASSERT_TRUE(report.finish());
     EXPECT_EQ(report.exit_code(), 1);
     EXPECT_EQ(content("out/x.actual.png"), content("b/x.png"));
-    for (const char* file : {"out/x.diff.png", "out/x.triptych.png"}) EXPECT_TRUE(raster::load_image8(in(file))) << file;
+    for (const char* file : {"out/x.diff.png", "out/x.triptych.png"})
+        EXPECT_TRUE(raster::load_image8(in(file))) << file;
     const auto data = raster::parse_json(content("out/diff.json"));
     ASSERT_TRUE(data);
     const auto& pair = data->members.at("pairs").items.at(0);
@@ -302,7 +303,8 @@ TEST(DiffWords, NumbersAreGroupedAndShort) {
 
 TEST(Json, WhatIsWrittenIsRead) {
     const std::string text = "tab\t quote\" slash\\ <b> \xc3\xa4 \xff end";
-    const auto value = raster::parse_json(raster::JsonObject().text("name", text).number("n", -1.5).number("inf", 1.0 / 0.0).str());
+    const auto value =
+        raster::parse_json(raster::JsonObject().text("name", text).number("n", -1.5).number("inf", 1.0 / 0.0).str());
     ASSERT_TRUE(value);
     EXPECT_EQ(value->member_text("name"), "tab\t quote\" slash\\ <b> \xc3\xa4 \xef\xbf\xbd end");
     EXPECT_EQ(value->member_text("n"), "-1.5");

@@ -75,9 +75,11 @@ TEST_F(Golden, AFailureTellsFiguresPathsTheTightestGatesAndTheCommand) {
     ASSERT_TRUE(raster::write_png(golden("a.png"), picture()));
     const auto result = check("a", picture(93));
     EXPECT_FALSE(result.passed);
-    for (const std::string& part : {std::string("200 of 200 pixels differ"), std::string("max 3 at (0,0)"), std::string("RMS"), std::string("PSNR"), std::string("SSIM"),
-                                    std::string("FLIP"), std::string("--max-delta 3, or --max-pixels 200"), golden("a.png"), report("a") + "/a.actual.png", report("a") + "/report.html",
-                                    "raster approve " + report("a")})
+    for (const std::string& part :
+         {std::string("200 of 200 pixels differ"), std::string("max 3 at (0,0)"), std::string("RMS"),
+          std::string("PSNR"), std::string("SSIM"), std::string("FLIP"),
+          std::string("--max-delta 3, or --max-pixels 200"), golden("a.png"), report("a") + "/a.actual.png",
+          report("a") + "/report.html", "raster approve " + report("a")})
         EXPECT_THAT(result.message, HasSubstr(part));
     for (const char* file : {"report.html", "diff.json", "a.actual.png", "a.diff.png", "a.triptych.png"})
         EXPECT_TRUE(fs::exists(report("a") + "/" + file)) << file;
@@ -122,7 +124,8 @@ TEST_F(Golden, ANewPictureFailsUntilApproved) {
 }
 
 TEST_F(Golden, NamesMayNotLeadOut) {
-    for (const char* name : {"", "../a", "/tmp/a", "a/../../b", "a/"}) EXPECT_FALSE(check(name, picture()).passed) << name;
+    for (const char* name : {"", "../a", "/tmp/a", "a/../../b", "a/"})
+        EXPECT_FALSE(check(name, picture()).passed) << name;
     EXPECT_FALSE(fs::exists(root + "/a.png"));
 }
 

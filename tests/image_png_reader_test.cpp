@@ -46,7 +46,8 @@ Bytes stored(const Bytes& data) {
     for (std::size_t start = 0; start == 0 || start < data.size(); start += 65535) {
         const std::size_t size = std::min<std::size_t>(data.size() - start, 65535);
         out.push_back(std::byte(start + size == data.size()));
-        for (const std::size_t v : {size, ~size}) out.push_back(std::byte(v & 255)), out.push_back(std::byte(v >> 8 & 255));
+        for (const std::size_t v : {size, ~size})
+            out.push_back(std::byte(v & 255)), out.push_back(std::byte(v >> 8 & 255));
         out.insert(out.end(), data.begin() + std::ptrdiff_t(start), data.begin() + std::ptrdiff_t(start + size));
     }
     std::uint32_t a = 1, b = 0;
@@ -73,7 +74,9 @@ Bytes random_png(Random& random, int width, int height, int bits, int color_type
     append_chunk(file, "tEXt", Bytes(7, std::byte('x')));
     const Bytes packed = stored(rows);
     for (int i = 0; i < pieces; ++i) {
-        const auto at = [&](int k) { return packed.begin() + std::ptrdiff_t(packed.size() * std::size_t(k) / std::size_t(pieces)); };
+        const auto at = [&](int k) {
+            return packed.begin() + std::ptrdiff_t(packed.size() * std::size_t(k) / std::size_t(pieces));
+        };
         append_chunk(file, "IDAT", Bytes(at(i), at(i + 1)));
     }
     append_chunk(file, "IEND", {});

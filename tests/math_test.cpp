@@ -158,7 +158,8 @@ TEST(Math, PowersOfASharedExponentAreMultipliedOutWhereItIsWholeAndElsePows) {
     EXPECT_EQ(raster::pow_shared(2.0f, 100.0f), std::ldexp(1.0f, 100));
     for (const float exponent : {0.0f, 0.5f, 2.4f, 96.078431f, 257.0f, 1e30f, -1.0f})
         for (const float x : {0.0f, 0.3f, 1.0f, 1.5f})
-            EXPECT_EQ(as_int(raster::pow_shared(x, exponent)), as_int(raster::pow(x, exponent))) << x << " " << exponent;
+            EXPECT_EQ(as_int(raster::pow_shared(x, exponent)), as_int(raster::pow(x, exponent)))
+                << x << " " << exponent;
     EXPECT_TRUE(std::isnan(raster::pow_shared(0.5f, nan)));
 }
 

@@ -127,7 +127,8 @@ TEST(Same, LinesPointsScissorOffsetsAndClipPlanes) {
             State state = random_state(random);
             std::vector<glm::vec4> planes;
             add_rare_state(state, random, width, height, planes);
-            SCOPED_TRACE(::testing::Message() << "round " << i << ", draw " << draw << ", topology " << int(state.topology));
+            SCOPED_TRACE(::testing::Message()
+                         << "round " << i << ", draw " << draw << ", topology " << int(state.topology));
             const Vertices vertices = mixed_scene(random, 12, width, height, i % 4 == 0);
             pair.draw(Full{}, Mesh(vertices), state);
             if (::testing::Test::HasFailure()) return;

@@ -116,8 +116,9 @@ TEST(State, LinesAndPointsAreCounted) {
 }
 
 TEST(State, AScissorRectangleIsFilledAndNothingElse) {
-    for (const Scissor s : {Scissor{10, 20, 60, 50}, Scissor{-5, -5, 6, 6}, Scissor{63, 63, 2, 2}, Scissor{90, 0, 99, 99},
-                            Scissor{10, 10, 0, 5}, Scissor{10, 10, 2147483647, 1}, Scissor{0, 0, size, size}}) {
+    for (const Scissor s :
+         {Scissor{10, 20, 60, 50}, Scissor{-5, -5, 6, 6}, Scissor{63, 63, 2, 2}, Scissor{90, 0, 99, 99},
+          Scissor{10, 10, 0, 5}, Scissor{10, 10, 2147483647, 1}, Scissor{0, 0, size, size}}) {
         for (const Blend blend : {Blend::off, Blend::additive}) {
             Canvas canvas;
             State state;

@@ -15,7 +15,8 @@ namespace {
 
 Model painted_cube(int materials, int textures) {
     Model model = cube();
-    for (int i = 0; i < materials; ++i) model.materials.emplace_back().diffuse_texture = textures > 0 ? i % textures : -1;
+    for (int i = 0; i < materials; ++i)
+        model.materials.emplace_back().diffuse_texture = textures > 0 ? i % textures : -1;
     for (int i = 0; i < textures; ++i) model.textures.push_back({"t" + std::to_string(i), {}});
     if (materials > 0) model.parts[0].material = materials - 1;
     return model;

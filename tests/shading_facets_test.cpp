@@ -71,7 +71,8 @@ TEST(Grooves, HideLightOnOneSideOrTheOtherAndNothingFromAbove) {
     for_random_pairs([](const Pair& p) {
         const auto h = make_half_vector(flat_frame(p.v), p.l);
         const double n_h = std::cos(p.alpha), v_h = std::cos(p.beta);
-        const double expected = std::min({1.0, 2 * n_h * std::cos(p.theta_v) / v_h, 2 * n_h * std::cos(p.theta_l) / v_h});
+        const double expected =
+            std::min({1.0, 2 * n_h * std::cos(p.theta_v) / v_h, 2 * n_h * std::cos(p.theta_l) / v_h});
         EXPECT_NEAR(groove_masking(h), expected, 1e-5);
         const float d = 3.0f;
         EXPECT_CLOSE(facet_reflection(h, d), d * expected / (4 * std::cos(p.theta_v)), 1e-4);
@@ -92,7 +93,8 @@ TEST(CookTorrance, IsTheFormulaOfThePaper) {
                                  : double(gaussian_distribution(1.0f, m)) * std::exp(-std::pow(p.alpha / m, 2));
             const auto value = model.evaluate(flat_frame(p.v), p.l);
             for (int c = 0; c < 3; ++c) {
-                const double f = fresnel_conductor(float(v_h), n[c], k[c]) * g * d / (4 * pi * double(p.l.z) * double(p.v.z));
+                const double f =
+                    fresnel_conductor(float(v_h), n[c], k[c]) * g * d / (4 * pi * double(p.l.z) * double(p.v.z));
                 EXPECT_CLOSE(value.specular[c], pi * f * double(p.l.z), 5e-4);
             }
             EXPECT_EQ(value.diffuse.x, p.l.z);
@@ -104,7 +106,8 @@ TEST(TorranceSparrow, PeaksBeyondTheMirrorDirectionAtGrazingLight) {
     const auto peak = [](double light, float m = 0.3f) {
         double best = 0, at = 0;
         for (double v = -89; v < 89; v += 0.25) {
-            const double value = double(TorranceSparrow{{}, m}.evaluate(flat_frame(at_degrees(v)), at_degrees(-light)).specular.x);
+            const double value =
+                double(TorranceSparrow{{}, m}.evaluate(flat_frame(at_degrees(v)), at_degrees(-light)).specular.x);
             if (value > best) best = value, at = v;
         }
         return at;
@@ -141,7 +144,8 @@ TEST(Ward, IsTheFormulaOfThePaperInBothForms) {
         const double bounded = pi * l.z * gaussian * glm::dot(h, h) / std::pow(h.z, 4);
         const Ward ward{float(x), float(y)};
         EXPECT_CLOSE(ward.evaluate(flat_frame(p.v), p.l).specular.x, bounded, 1e-3);
-        EXPECT_CLOSE((Ward{float(x), float(y), Ward::Form::ward_1992}.evaluate(flat_frame(p.v), p.l).specular.x), old, 1e-3);
+        EXPECT_CLOSE((Ward{float(x), float(y), Ward::Form::ward_1992}.evaluate(flat_frame(p.v), p.l).specular.x), old,
+                     1e-3);
     });
 }
 
@@ -152,7 +156,8 @@ TEST(Ward, TurnsWithTheGrainAndIsRoundWithoutOne) {
     const auto along_y = brushed.evaluate(make_frame(glm::vec3(0, 0, 1), v, glm::vec3(0, 1, 0)), aside).specular.x;
     EXPECT_GT(along_y, 100 * along_x) << "a highlight is long across the grain";
     const auto none = brushed.evaluate(make_frame(glm::vec3(0, 0, 1), v, glm::vec3(0, 0, 1)), aside).specular.x;
-    const auto round = Ward{0.2f, 0.2f}.evaluate(make_frame(glm::vec3(0, 0, 1), v, glm::vec3(1, 0, 0)), aside).specular.x;
+    const auto round =
+        Ward{0.2f, 0.2f}.evaluate(make_frame(glm::vec3(0, 0, 1), v, glm::vec3(1, 0, 0)), aside).specular.x;
     EXPECT_NEAR(none, round, 1e-4f * round);
 }
 
@@ -164,9 +169,11 @@ TEST(Velvet, IsBrightAtItsOutlineAndDarkInTheMiddle) {
     EXPECT_GT(at(60, 85), 2 * at(60, 0));
     EXPECT_GT(at(75, 80), 5 * at(0, 0));
     for_random_pairs([&](const Pair& p) {
-        const double m = 0.3, sin4 = std::pow(std::sin(p.alpha), 4), c_l = std::cos(p.theta_l), c_v = std::cos(p.theta_v);
+        const double m = 0.3, sin4 = std::pow(std::sin(p.alpha), 4), c_l = std::cos(p.theta_l),
+                     c_v = std::cos(p.theta_v);
         const double d = (1 + 4 * std::exp(-std::pow(1 / std::tan(p.alpha) / m, 2)) / sin4) / (pi * (1 + 4 * m * m));
-        EXPECT_CLOSE(velvet.evaluate(flat_frame(p.v), p.l).specular.x, pi * c_l * d / (4 * (c_l + c_v - c_l * c_v)), 2e-3);
+        EXPECT_CLOSE(velvet.evaluate(flat_frame(p.v), p.l).specular.x, pi * c_l * d / (4 * (c_l + c_v - c_l * c_v)),
+                     2e-3);
     });
 }
 

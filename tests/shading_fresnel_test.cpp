@@ -24,7 +24,8 @@ float cosine(double degrees) { return float(std::cos(degrees * 3.14159265358979 
 TEST(Fresnel, OfADielectricIsWhatTheAmplitudesGive) {
     for (const double n : {1.1, 1.33, 1.5, 2.4}) {
         for (double angle = 0; angle < 90; angle += 2.5) {
-            EXPECT_NEAR(fresnel_dielectric(cosine(angle), float(n)), by_amplitudes(cosine(angle), n), 2e-6) << n << " " << angle;
+            EXPECT_NEAR(fresnel_dielectric(cosine(angle), float(n)), by_amplitudes(cosine(angle), n), 2e-6)
+                << n << " " << angle;
         }
     }
 }
@@ -50,7 +51,8 @@ TEST(Fresnel, AtNormalIncidenceIsTheSquareOfTheDifferenceOverTheSum) {
     for (const float n : {0.2f, 0.7f, 1.0f, 1.5f, 3.0f}) {
         EXPECT_NEAR(fresnel_dielectric(1.0f, n), (n - 1) * (n - 1) / ((n + 1) * (n + 1)), 1e-6f);
         for (const float k : {0.0f, 2.0f, 6.0f})
-            EXPECT_NEAR(fresnel_conductor(1.0f, n, k), ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k), 1e-6f);
+            EXPECT_NEAR(fresnel_conductor(1.0f, n, k), ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k),
+                        1e-6f);
     }
 }
 
@@ -90,8 +92,10 @@ TEST(Fresnel, WithoutABoundaryIsNothing) {
 TEST(Fresnel, TheFormulaOfTheCoursesIsNearForMetalsAndFarForGlass) {
     double gold = 0, glass = 0;
     for (float c = 0; c <= 1; c += 0.01f) {
-        gold = std::max(gold, double(std::abs(fresnel_conductor_approximate(c, 0.16f, 3.60f) - fresnel_conductor(c, 0.16f, 3.60f))));
-        glass = std::max(glass, double(std::abs(fresnel_conductor_approximate(c, 1.5f, 0) - fresnel_dielectric(c, 1.5f))));
+        gold = std::max(gold, double(std::abs(fresnel_conductor_approximate(c, 0.16f, 3.60f) -
+                                              fresnel_conductor(c, 0.16f, 3.60f))));
+        glass =
+            std::max(glass, double(std::abs(fresnel_conductor_approximate(c, 1.5f, 0) - fresnel_dielectric(c, 1.5f))));
     }
     EXPECT_LT(gold, 0.01);
     EXPECT_GT(glass, 0.02);

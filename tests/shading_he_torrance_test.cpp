@@ -40,7 +40,8 @@ TEST(HeTorranceParts, TheEffectiveRoughnessSolvesThePapersEquation) {
 
 double exact_series(double g, double spread) {
     double sum = 0;
-    for (int m = 1; m < 2000; ++m) sum += std::exp(m * std::log(g) - g - std::lgamma(m + 1)) / m * std::exp(-spread / m);
+    for (int m = 1; m < 2000; ++m)
+        sum += std::exp(m * std::log(g) - g - std::lgamma(m + 1)) / m * std::exp(-spread / m);
     return sum;
 }
 
@@ -49,8 +50,10 @@ TEST(HeTorranceParts, TheSeriesIsTheSum) {
         const double peak = exact_series(g, 0);
         for (const double spread : {0.0, 0.3, 2.0, 10.0, 40.0}) {
             const double expected = exact_series(g, spread);
-            EXPECT_NEAR(he_torrance::scattering(float(g), float(spread), 20.0f), expected, 1e-4 * peak) << g << " " << spread;
-            EXPECT_NEAR(he_torrance::scattering(float(g), float(spread), float(g)), expected, 3e-3 * peak) << g << " " << spread;
+            EXPECT_NEAR(he_torrance::scattering(float(g), float(spread), 20.0f), expected, 1e-4 * peak)
+                << g << " " << spread;
+            EXPECT_NEAR(he_torrance::scattering(float(g), float(spread), float(g)), expected, 3e-3 * peak)
+                << g << " " << spread;
         }
     }
 }
@@ -59,7 +62,8 @@ TEST(HeTorranceParts, BeyondTheSeriesItsExpansionIsNear) {
     for (const double g : {20.1, 25.0, 60.0, 400.0}) {
         const double peak = exact_series(g, 0);
         for (const double t : {0.0, 0.5, 1.0, 2.0, 4.0, 7.0})
-            EXPECT_NEAR(he_torrance::scattering(float(g), float(t * g), 1000.0f), exact_series(g, t * g), 3e-4 * peak) << g << " " << t;
+            EXPECT_NEAR(he_torrance::scattering(float(g), float(t * g), 1000.0f), exact_series(g, t * g), 3e-4 * peak)
+                << g << " " << t;
     }
 }
 
@@ -68,7 +72,8 @@ TEST(HeTorrance, ASmoothSurfaceIsAMirror) {
     model.fresnel = mirror;
     model.sigma = 0;
     const float bright = model.evaluate(flat_frame(at_degrees(-40)), at_degrees(40)).specular.x;
-    EXPECT_NEAR(bright, 3.14159265 / (2 * 3.14159265 * (1 - std::cos(3.14159265 / 180))), 60) << "pi over the solid angle";
+    EXPECT_NEAR(bright, 3.14159265 / (2 * 3.14159265 * (1 - std::cos(3.14159265 / 180))), 60)
+        << "pi over the solid angle";
     EXPECT_EQ(model.evaluate(flat_frame(at_degrees(-42)), at_degrees(40)).specular.x, 0.0f);
 }
 

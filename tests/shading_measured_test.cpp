@@ -40,8 +40,10 @@ TEST(HalfDifference, IsRusinkiewiczsRotations) {
         const glm::dvec3 h = glm::normalize(glm::dvec3(l) + glm::dvec3(v));
         const double theta_h = std::acos(h.z), phi_h = std::atan2(h.y, h.x);
         // l turned by -phi_h about the normal, then by -theta_h about y.
-        const double x = l.x * std::cos(-phi_h) - l.y * std::sin(-phi_h), y = l.x * std::sin(-phi_h) + l.y * std::cos(-phi_h);
-        const glm::dvec3 d(x * std::cos(-theta_h) + l.z * std::sin(-theta_h), y, -x * std::sin(-theta_h) + l.z * std::cos(-theta_h));
+        const double x = l.x * std::cos(-phi_h) - l.y * std::sin(-phi_h),
+                     y = l.x * std::sin(-phi_h) + l.y * std::cos(-phi_h);
+        const glm::dvec3 d(x * std::cos(-theta_h) + l.z * std::sin(-theta_h), y,
+                           -x * std::sin(-theta_h) + l.z * std::cos(-theta_h));
         double phi_d = std::atan2(d.y, d.x);
         if (phi_d < 0) phi_d += 3.14159265358979;
         const auto at = half_difference(flat_frame(v), l);
@@ -114,11 +116,14 @@ TEST(Measured, LambertBakedAndReadBackIsLambert) {
 }
 
 TEST(Measured, ModelsBakedAtTheFullSizeComeBackWithinTheirInterpolation) {
-    EXPECT_LT(largest_difference(OrenNayar{0.5f}, measured(bake_measured(OrenNayar{0.5f}, glm::vec3(1), glm::vec3(0))), 1, 0, 0.1), 0.02);
+    EXPECT_LT(largest_difference(OrenNayar{0.5f}, measured(bake_measured(OrenNayar{0.5f}, glm::vec3(1), glm::vec3(0))),
+                                 1, 0, 0.1),
+              0.02);
     const CookTorrance metal{{{0.16f, 0.42f, 1.38f}, {3.6f, 2.47f, 1.92f}}, 0.3f};
     EXPECT_LT(largest_difference(metal, measured(bake_measured(metal, glm::vec3(0), glm::vec3(1))), 0, 1, 0.2), 0.05);
     const CookTorrance glossy{{}, 0.1f};
-    EXPECT_LT(largest_difference(glossy, measured(bake_measured(glossy, glm::vec3(0.5f), glm::vec3(1))), 0.5f, 1, 0.2), 0.05);
+    EXPECT_LT(largest_difference(glossy, measured(bake_measured(glossy, glm::vec3(0.5f), glm::vec3(1))), 0.5f, 1, 0.2),
+              0.05);
 }
 
 TEST(Measured, IsReciprocalAndBlackBelowTheHorizon) {
@@ -127,7 +132,8 @@ TEST(Measured, IsReciprocalAndBlackBelowTheHorizon) {
     for (int i = 0; i < 1000; ++i) {
         const glm::vec3 l = direction_above(random.uniform(0.05f, 1), random.uniform(0, 6.28f));
         const glm::vec3 v = direction_above(random.uniform(0.05f, 1), random.uniform(0, 6.28f));
-        const float there = model.evaluate(flat_frame(v), l).diffuse.x / l.z, back = model.evaluate(flat_frame(l), v).diffuse.x / v.z;
+        const float there = model.evaluate(flat_frame(v), l).diffuse.x / l.z,
+                    back = model.evaluate(flat_frame(l), v).diffuse.x / v.z;
         EXPECT_NEAR(there, back, 2e-4f * (1 + there));
         EXPECT_EQ(model.evaluate(flat_frame(v), glm::vec3(l.x, l.y, -l.z)).diffuse.x, 0.0f);
         EXPECT_EQ(model.evaluate(flat_frame({v.x, v.y, -v.z}), l).diffuse.x, 0.0f);

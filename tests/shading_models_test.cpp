@@ -174,7 +174,8 @@ TEST(ReflectanceModels, HaveFormsByNamesOfTheirOwn) {
     const auto bound = quarter.with_material(material);
     for (const double degrees : {5.0, 20.0, 40.0}) {
         const auto l = at_degrees(2 * degrees);  // h is at `degrees`
-        EXPECT_NEAR(evaluate(bound, up, l, up).specular.x, std::pow(std::cos(degrees * 3.14159265358979 / 180), 10), 1e-5);
+        EXPECT_NEAR(evaluate(bound, up, l, up).specular.x, std::pow(std::cos(degrees * 3.14159265358979 / 180), 10),
+                    1e-5);
     }
     using Distribution = CookTorrance::Distribution;
     EXPECT_EQ(std::get<CookTorrance>(*find_reflectance("cook-torrance-gaussian")).distribution, Distribution::gaussian);

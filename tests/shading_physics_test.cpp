@@ -59,8 +59,10 @@ TEST(Reciprocity, OfPhongAndBlinnPhongIsThatOfTheirHighlightWithoutTheCosine) {
     // (r v)^n and (n h)^n are symmetric; what breaks the law is that the BRDF is this divided by n l.
     Random random(2);
     for (int i = 0; i < 500; ++i) {
-        const glm::vec3 l = direction_above(random.uniform(0.05f, 1), 0), v = direction_above(random.uniform(0.05f, 1), 2);
-        EXPECT_NEAR(Phong{5}.evaluate(flat_frame(v), l).specular.x, Phong{5}.evaluate(flat_frame(l), v).specular.x, 1e-5);
+        const glm::vec3 l = direction_above(random.uniform(0.05f, 1), 0),
+                        v = direction_above(random.uniform(0.05f, 1), 2);
+        EXPECT_NEAR(Phong{5}.evaluate(flat_frame(v), l).specular.x, Phong{5}.evaluate(flat_frame(l), v).specular.x,
+                    1e-5);
         const BlinnPhong blinn{5};
         EXPECT_NEAR(blinn.evaluate(flat_frame(v), l).specular.x, blinn.evaluate(flat_frame(l), v).specular.x, 1e-5);
     }
@@ -115,7 +117,8 @@ TEST(WhiteFurnace, WardIsBoundedInItsNewFormAndLosesLightInTheOldOne) {
 }
 
 TEST(WhiteFurnace, OrenNayarIsAboveOneByAtMostTwoPercentAtGrazingAngles) {
-    for (const float sigma : {0.0f, 0.2f, 0.5f, 1.0f, 1.5f}) EXPECT_LT(largest_albedo(OrenNayar{sigma}, 1, 0), 1.02) << sigma;
+    for (const float sigma : {0.0f, 0.2f, 0.5f, 1.0f, 1.5f})
+        EXPECT_LT(largest_albedo(OrenNayar{sigma}, 1, 0), 1.02) << sigma;
     EXPECT_GT(albedo(OrenNayar{0.2f}, at_degrees(85), 1, 0).x, 1.005) << "the qualitative model is not exact here";
     EXPECT_NEAR(albedo(OrenNayar{0.5f}, at_degrees(0), 1, 0).x, 0.784, 0.005);
 }

@@ -111,7 +111,8 @@ json measure(const Options& options, const std::string& name, int width, int hei
         depth_pixels += our_depth[i] != rival_depth[i];
         color_pixels += our_color[i] != rival_color[i];
         for (int shift = 0; shift < 32; shift += 8)
-            largest = std::max(largest, std::abs(int(our_color[i] >> shift & 255) - int(rival_color[i] >> shift & 255)));
+            largest =
+                std::max(largest, std::abs(int(our_color[i] >> shift & 255) - int(rival_color[i] >> shift & 255)));
     }
     row["drawn"] = drawn_pixels(our_depth);
     row["ours_best"] = *std::min_element(our_times.begin(), our_times.end());
@@ -131,7 +132,8 @@ json run_child(const std::string& arguments, int rival_threads) {
     const ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
     if (length < 0) return {{"error", "cannot find this program"}};
     self[length] = 0;
-    const std::string command = "LP_NUM_THREADS=" + std::to_string(rival_threads) + " '" + self + "' --child " + arguments;
+    const std::string command =
+        "LP_NUM_THREADS=" + std::to_string(rival_threads) + " '" + self + "' --child " + arguments;
     FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return {{"error", "cannot start a child process"}};
     std::string text;
@@ -160,21 +162,22 @@ json run_end_to_end(const Options& options, const std::string& scene, int width,
     if (readlink("/proc/self/exe", self, sizeof self - 1) < 0) return {{"error", "cannot find this program"}};
     json row{{"scene", scene}, {"what", "raster render, bunny, whole process"}, {"width", width}, {"height", height},
              {"threads", options.threads.front()}, {"triangles", 0}};
-    row.update(bench::end_to_end("'" + options.raster + "' render '" + options.bunny + "' --size " + size + " --threads " +
-                                     std::to_string(options.threads.front()) + " --quiet -o",
-                                 "LP_NUM_THREADS=" + std::to_string(options.threads.front() == 1 ? 0 : options.threads.front()) +
-                                     " '" + self + "' --child --scene " + scene + " --size " + size + " --bunny '" +
-                                     options.bunny + "' --picture",
-                                 options.frames));
+    row.update(bench::end_to_end(
+        "'" + options.raster + "' render '" + options.bunny + "' --size " + size + " --threads " +
+            std::to_string(options.threads.front()) + " --quiet -o",
+        "LP_NUM_THREADS=" + std::to_string(options.threads.front() == 1 ? 0 : options.threads.front()) + " '" + self +
+            "' --child --scene " + scene + " --size " + size + " --bunny '" + options.bunny + "' --picture",
+        options.frames));
     return row;
 }
 
 /// One line of the table. With two threads the rival may use its better setting of one or two raster threads.
 json run(const Options& options, const std::string& scene, int width, int height, int threads) {
-    const std::string arguments = "--scene " + scene + " --size " + std::to_string(width) + "x" + std::to_string(height) +
-                                  " --threads " + std::to_string(threads) + " --frames " + std::to_string(options.frames) +
-                                  " --warm-up " + std::to_string(options.warm_up) + " --bunny '" + options.bunny + "'" +
-                                  (options.alone ? " --alone" : "") + (options.processor_time ? " --processor-time" : "");
+    const std::string arguments = "--scene " + scene + " --size " + std::to_string(width) + "x" +
+                                  std::to_string(height) + " --threads " + std::to_string(threads) + " --frames " +
+                                  std::to_string(options.frames) + " --warm-up " + std::to_string(options.warm_up) +
+                                  " --bunny '" + options.bunny + "'" + (options.alone ? " --alone" : "") +
+                                  (options.processor_time ? " --processor-time" : "");
     if (options.first) return run_first(arguments);
     if (threads == 1 || options.alone) return run_child(arguments, 0);
     json best = run_child(arguments, 1);
@@ -260,8 +263,8 @@ bool parse(int argc, char** argv, Options& options) {
 }
 
 void print_table(const json& rows) {
-    std::printf("%-25s %-42s %10s %2s %9s %9s %7s %9s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms", "rival ms",
-                "ratio", "Mtri/s", "Mpix/s", "drawn", "color max, depth pixels");
+    std::printf("%-25s %-42s %10s %2s %9s %9s %7s %9s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms",
+                "rival ms", "ratio", "Mtri/s", "Mpix/s", "drawn", "color max, depth pixels");
     double log_all = 0, log_rest = 0;
     int all = 0, rest = 0;
     for (const json& r : rows) {
@@ -273,17 +276,17 @@ void print_table(const json& rows) {
         const std::string name = r["scene"];
         const int w = r["width"], h = r["height"];
         std::printf("%-25s %-42s %5dx%-4d %2d %9.2f %9.2f %7.2f %9.2f %9.1f %9.1f  %d, %d\n", name.c_str(),
-                    r["what"].get<std::string>().c_str(), w, h, int(r["threads"]), ours, r.value("rival_best", 0.0), ratio,
-                    double(r["triangles"]) / ours / 1e3, w * h / ours / 1e3, r.value("drawn", 0.0) / ours / 1e3,
-                    r.value("largest_color_difference", 0),
-                    r.value("depth_pixels_different", 0));
+                    r["what"].get<std::string>().c_str(), w, h, int(r["threads"]), ours, r.value("rival_best", 0.0),
+                    ratio, double(r["triangles"]) / ours / 1e3, w * h / ours / 1e3, r.value("drawn", 0.0) / ours / 1e3,
+                    r.value("largest_color_difference", 0), r.value("depth_pixels_different", 0));
         if (ratio > 0) {
             log_all += std::log(ratio), ++all;
             if (name.rfind("s6", 0) != 0) log_rest += std::log(ratio), ++rest;
         }
     }
     if (all && rest)
-        std::printf("geometric mean of the ratios: %.2f, without s6: %.2f\n", std::exp(log_all / all), std::exp(log_rest / rest));
+        std::printf("geometric mean of the ratios: %.2f, without s6: %.2f\n", std::exp(log_all / all),
+                    std::exp(log_rest / rest));
 }
 
 }  // namespace
@@ -303,7 +306,8 @@ int main(int argc, char** argv) {
             const auto scene = bench::make_scene(options.scenes.front(), options.bunny);
             return scene && bench::write_rival_picture(*scene, width, height, options.picture) ? 0 : 1;
         }
-        std::printf("%s\n", measure(options, options.scenes.front(), width, height, options.threads.front()).dump().c_str());
+        std::printf("%s\n",
+                    measure(options, options.scenes.front(), width, height, options.threads.front()).dump().c_str());
         return 0;
     }
     json rows = json::array();

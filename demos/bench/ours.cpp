@@ -150,7 +150,8 @@ Ours::Ours(const Scene& scene, int width, int height)
 /// The pixel shader that a picture of a model gets, with the model's default parameters but a metal for cook-torrance.
 void Ours::draw_reflectance(const State& state) {
     if (surface_.empty())
-        for (const Vertex<float>& v : scene_.vertices) surface_.push_back({v.position, v.normal, v.uv, glm::vec3(1.0f)});
+        for (const Vertex<float>& v : scene_.vertices)
+            surface_.push_back({v.position, v.normal, v.uv, glm::vec3(1.0f)});
     Light light;
     light.direction = -to_light_eye();
     light.space = LightSpace::eye;
@@ -186,15 +187,21 @@ void Ours::frame() {
     switch (scene_.shading) {
         case Shading::none: raster::draw(target_, DepthOnly{clip_from_world_}, mesh, state); break;
         case Shading::flat_color:
-            raster::draw(target_, FlatColor{clip_from_world_, glm::vec4(base_color, scene_.blend ? 0.5f : 1.0f)}, mesh, state);
+            raster::draw(target_, FlatColor{clip_from_world_, glm::vec4(base_color, scene_.blend ? 0.5f : 1.0f)}, mesh,
+                         state);
             break;
-        case Shading::gouraud: raster::draw(target_, Gouraud{clip_from_world_, eye, normals_, light}, mesh, state); break;
-        case Shading::per_pixel: raster::draw(target_, PerPixel{clip_from_world_, eye, normals_, light}, mesh, state); break;
+        case Shading::gouraud:
+            raster::draw(target_, Gouraud{clip_from_world_, eye, normals_, light}, mesh, state);
+            break;
+        case Shading::per_pixel:
+            raster::draw(target_, PerPixel{clip_from_world_, eye, normals_, light}, mesh, state);
+            break;
         case Shading::reflectance: draw_reflectance(state); break;
         case Shading::textured:
-            raster::draw(target_,
-                         Textured{clip_from_world_, normals_, light, TextureView(texture_, Wrap::repeat, Filter::bilinear)},
-                         mesh, state);
+            raster::draw(
+                target_,
+                Textured{clip_from_world_, normals_, light, TextureView(texture_, Wrap::repeat, Filter::bilinear)},
+                mesh, state);
             break;
     }
     // A clear alone is finished by whoever looks.

@@ -163,7 +163,8 @@ bool has_glsl(const std::string& reflectance) { return find_glsl(reflectance) !=
 
 Rival::Rival(const Scene& scene, int width, int height)
     : scene_(scene), width_(width), height_(height), color_(std::size_t(width) * std::size_t(height)) {
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
+    const int attributes[] = {
+        OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
     auto context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context || !OSMesaMakeCurrent(context, color_.data(), GL_UNSIGNED_BYTE, width, height)) {
         error_ = "OSMesa gave no context";
@@ -206,7 +207,8 @@ Rival::Rival(const Scene& scene, int width, int height)
     unsigned buffers[2];
     glGenBuffers(2, buffers);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(scene.vertices.size() * sizeof(Vertex<float>)), scene.vertices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(scene.vertices.size() * sizeof(Vertex<float>)), scene.vertices.data(),
+                 GL_STATIC_DRAW);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(scene.indices.size() * 4), scene.indices.data(), GL_STATIC_DRAW);
     index_count_ = int(scene.indices.size());
@@ -224,8 +226,10 @@ Rival::Rival(const Scene& scene, int width, int height)
         const auto top_down = make_texture();
         std::vector<std::uint32_t> texels(top_down.size());
         for (std::size_t y = 0; y < texture_size; ++y)
-            std::copy_n(top_down.data() + y * texture_size, texture_size, texels.data() + (texture_size - 1 - y) * texture_size);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture_size, texture_size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+            std::copy_n(top_down.data() + y * texture_size, texture_size,
+                        texels.data() + (texture_size - 1 - y) * texture_size);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture_size, texture_size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     texels.data());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     }

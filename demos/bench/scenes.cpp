@@ -61,7 +61,8 @@ void subdivide(Scene& scene) {
         const auto [place, made] = middles.try_emplace(std::minmax(a, b), std::uint32_t(scene.vertices.size()));
         if (made) {
             const Corner &p = scene.vertices[a], &q = scene.vertices[b];
-            scene.vertices.push_back({(p.position + q.position) * 0.5f, glm::normalize(p.normal + q.normal), (p.uv + q.uv) * 0.5f});
+            scene.vertices.push_back(
+                {(p.position + q.position) * 0.5f, glm::normalize(p.normal + q.normal), (p.uv + q.uv) * 0.5f});
         }
         return place->second;
     };
@@ -102,7 +103,9 @@ void fine_torus(Scene& scene, int across, int along) {
             scene.vertices.push_back({glm::vec3(glm::dvec3(c, 0, s) + 0.4 * normal), glm::vec3(normal), {0, 0}});
         }
     }
-    const auto at = [&](int i, int j) { return std::uint32_t(i % across) * std::uint32_t(along) + std::uint32_t(j % along); };
+    const auto at = [&](int i, int j) {
+        return std::uint32_t(i % across) * std::uint32_t(along) + std::uint32_t(j % along);
+    };
     for (int i = 0; i < across; ++i)
         for (int j = 0; j < along; ++j) {
             const std::uint32_t a = at(i, j), b = at(i, j + 1), c = at(i + 1, j + 1), d = at(i + 1, j);
@@ -177,7 +180,8 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
         scene.shading = Shading::textured;
         for (int z = 0; z < 32; ++z)
             for (int x = 0; x < 32; ++x)
-                add_quad(scene, {-18 + 36 * float(x) / 32, 0, 5 - 21 * float(z) / 32}, {36.0f / 32, 0, 0}, {0, 0, -21.0f / 32});
+                add_quad(scene, {-18 + 36 * float(x) / 32, 0, 5 - 21 * float(z) / 32}, {36.0f / 32, 0, 0},
+                         {0, 0, -21.0f / 32});
         scene.eye_from_world = ground_camera();
     } else if (name == "s5") {
         scene.what = "bunny subdivided twice, Gouraud";

@@ -100,7 +100,9 @@ void print_empirical() {
 }
 
 void print_fresnel() {
-    const auto glass = [](double degrees) { return double(fresnel_dielectric(float(sin_cos_degrees(degrees).cos), 1.5f)); };
+    const auto glass = [](double degrees) {
+        return double(fresnel_dielectric(float(sin_cos_degrees(degrees).cos), 1.5f));
+    };
     const auto inside = [](double degrees) {
         return double(fresnel_dielectric(float(sin_cos_degrees(degrees).cos), 1 / 1.5f));
     };
@@ -125,13 +127,15 @@ void print_tables() {
     for (const char* name : {"paper", "clay", "velvet", "plastic", "rubber", "iron", "gold", "milk"}) {
         const Material material = *find_material(name);
         const auto model = RuntimeModel{*find_reflectance(material.reflectance)}.with_material(material);
-        const auto back = decode_measured(encode_measured(bake_measured(model.model, material.diffuse, material.specular)));
+        const auto back =
+            decode_measured(encode_measured(bake_measured(model.model, material.diffuse, material.specular)));
         const Measured table{std::make_shared<const MeasuredTable>(*back)};
         double sum = 0, all = 0, worst = 0, brightest = 0;
         for (double a = 1.3; a < 80; a += 2.37) {
             for (double b = 0.7; b < 80; b += 2.71) {
                 for (double azimuth = 0.01; azimuth < 6.28; azimuth += 0.31) {
-                    const glm::vec3 l = direction(sin_cos_degrees(a).cos, 0), v = direction(sin_cos_degrees(b).cos, azimuth);
+                    const glm::vec3 l = direction(sin_cos_degrees(a).cos, 0),
+                                    v = direction(sin_cos_degrees(b).cos, azimuth);
                     const double exact = value_of(model, l, v, material.diffuse.y, material.specular.y);
                     const double read = value_of({table}, l, v, 1, 0);
                     sum += (exact - read) * (exact - read), all += exact * exact;

@@ -10,7 +10,8 @@ namespace raster {
 template <Detail level>
 struct UnnormalisedPixelShader : PixelShader<RuntimeModel, level> {
     template <class F>
-    auto fragment(const typename PixelShader<RuntimeModel, level>::template Varyings<F>& in, const FragmentInput<F>& at) const {
+    auto fragment(const typename PixelShader<RuntimeModel, level>::template Varyings<F>& in,
+                  const FragmentInput<F>& at) const {
         return this->template shade<F>(in, at, in.normal_eye);
     }
 };

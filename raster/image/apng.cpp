@@ -62,7 +62,8 @@ Result<Bytes> encode_apng(std::span<const Image8> frames, int milliseconds) {
     const auto alike = [&](const Image8& f) {
         return f.width == frames[0].width && f.height == frames[0].height && f.channels == frames[0].channels;
     };
-    if (!std::ranges::all_of(frames, alike)) return Error{ErrorKind::usage, "the frames of an animation differ in size"};
+    if (!std::ranges::all_of(frames, alike))
+        return Error{ErrorKind::usage, "the frames of an animation differ in size"};
     const int delay = std::clamp(milliseconds, 1, 65535);
     Bytes out;
     std::uint32_t sequence = 0;

@@ -45,7 +45,8 @@ void collect(const std::string& folder, std::map<std::string, FilePair>& pairs, 
         }
         std::string ending = entry->path().extension().string();
         for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-        if (std::find(std::begin(endings), std::end(endings), ending) == std::end(endings) || entry->is_directory()) continue;
+        if (std::find(std::begin(endings), std::end(endings), ending) == std::end(endings) || entry->is_directory())
+            continue;
         const std::string name = entry->path().lexically_relative(folder).generic_string();
         pairs[name].name = name;
         pairs[name].*side = entry->path().string();

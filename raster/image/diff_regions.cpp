@@ -38,7 +38,9 @@ struct Cells {
         for (int x = x0; x < x1; ++x) largest = delta[x] > delta[largest] ? x : largest;
         merge(at(column, y / cell), {{first, y, last - first + 1, 1}, count, delta[largest], largest, y});
     }
-    DiffRegion& at(int column, int row) { return region[std::size_t(row) * std::size_t(columns) + std::size_t(column)]; }
+    DiffRegion& at(int column, int row) {
+        return region[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
+    }
 
     static void merge(DiffRegion& into, const DiffRegion& other) {
         if (into.pixels == 0) {
@@ -79,7 +81,9 @@ void find_regions(Diff& diff) {
     const float limit = diff.figures->failing > 0 ? diff.allowed_delta : 0.0f;
     Cells cells(diff.deltas, limit);
     Groups groups(cells.region.size());
-    const auto index = [&](int column, int row) { return std::size_t(row) * std::size_t(cells.columns) + std::size_t(column); };
+    const auto index = [&](int column, int row) {
+        return std::size_t(row) * std::size_t(cells.columns) + std::size_t(column);
+    };
     for (int row = 0; row < cells.rows; ++row)
         for (int column = 0; column < cells.columns; ++column) {
             if (cells.at(column, row).pixels == 0) continue;

@@ -33,7 +33,8 @@ float nearest_around(const T* color, const Image<T>& image, int x, int y, int ra
 
 // Both ways, or a line that is missing altogether would pass: each of its pixels, now background, has background near.
 template <class T>
-float shifted_delta(const Image<T>& expected, const Image<T>& actual, int x, int y, int radius, float delta, float enough) {
+float shifted_delta(const Image<T>& expected, const Image<T>& actual, int x, int y, int radius, float delta,
+                    float enough) {
     const float to_expected = nearest_around(actual.pixel(x, y), expected, x, y, radius, delta, enough);
     const float to_actual = nearest_around(expected.pixel(x, y), actual, x, y, radius, delta, enough);
     return std::max(to_expected, to_actual);
@@ -62,7 +63,8 @@ bool shift_explains_all(const AnyImage& expected, const AnyImage& actual, int ra
             for (int y = 0; y < deltas.height; ++y)
                 for (int x = 0; x < deltas.width; ++x) {
                     const float delta = *deltas.pixel(x, y);
-                    if (delta > max_delta && shifted_delta(e, a, x, y, radius, delta, max_delta) > max_delta) return false;
+                    if (delta > max_delta && shifted_delta(e, a, x, y, radius, delta, max_delta) > max_delta)
+                        return false;
                 }
             return true;
         },

@@ -146,7 +146,8 @@ bool has_transparency(const AnyImage& image) {
         []<class T>(const Image<T>& held) {
             if (held.channels % 2 != 0) return false;
             const T opaque = std::is_same_v<T, float> ? T(1) : std::numeric_limits<T>::max();
-            for (std::size_t i = std::size_t(held.channels) - 1; i < held.samples.size(); i += std::size_t(held.channels))
+            for (std::size_t i = std::size_t(held.channels) - 1; i < held.samples.size();
+                 i += std::size_t(held.channels))
                 if (held.samples[i] < opaque) return true;
             return false;
         },

@@ -143,7 +143,8 @@ void filter_rows_odd_even(const std::vector<float>& odd, const std::vector<float
 void filter_rows_even_odd_even(const std::vector<float>& even_1, const std::vector<float>& odd,
                                const std::vector<float>& even_2, const float* const* rows, int count, float* out_1,
                                float* out_odd, float* out_2) {
-    const Filter filters[] = {{even_1.data(), out_1, false}, {odd.data(), out_odd, false}, {even_2.data(), out_2, false}};
+    const Filter filters[] = {
+        {even_1.data(), out_1, false}, {odd.data(), out_odd, false}, {even_2.data(), out_2, false}};
     sum_eoe(filters, int(even_1.size()) - 1, rows, count);
 }
 

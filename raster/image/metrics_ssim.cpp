@@ -132,7 +132,8 @@ double ssim_over(const AnyImage& expected_image, const AnyImage& actual_image, c
     std::vector<Tile> all_tiles;
     for (int x = columns.first; x < columns.last; x += ssim_tile_width)
         for (int y = rows.first; y < rows.last; y += ssim_tile_height) {
-            const Tile tile{x, y, std::min(x + ssim_tile_width, columns.last), std::min(y + ssim_tile_height, rows.last)};
+            const Tile tile{x, y, std::min(x + ssim_tile_width, columns.last),
+                            std::min(y + ssim_tile_height, rows.last)};
             if (!cells.any_in(tile.x0 - radius, tile.y0 - radius, tile.x1 + radius, tile.y1 + radius)) continue;
             const bool grows = !all_tiles.empty() && all_tiles.back().x0 == x && all_tiles.back().y1 == y &&
                                y - all_tiles.back().y0 < highest_ssim_tile;

@@ -63,7 +63,8 @@ bool read_chunks(File file, Contents& contents) {
         const std::string_view type(reinterpret_cast<const char*>(file.data()) + start + 4, 4);
         const bool critical = (type[0] & 0x20) == 0;
         if (type == "tRNS") return false;
-        if (critical && libdeflate_crc32(0, file.data() + start + 4, length + 4) != big_endian_at(file, start + 8 + length))
+        if (critical &&
+            libdeflate_crc32(0, file.data() + start + 4, length + 4) != big_endian_at(file, start + 8 + length))
             return false;
         if (type == "IDAT") {
             pieces.push_back(file.subspan(start + 8, length));

@@ -42,7 +42,8 @@ std::string shape_in_words(const std::optional<AnyImage>& image) {
     if (!image) return "";
     const diff_steps::Shape shape = diff_steps::shape_of(*image);
     constexpr const char* channels[] = {"grey", "grey and alpha", "RGB", "RGBA"};
-    return shape.size() + " " + channels[shape.channels - 1] + (shape.bits == 32 ? ", floats" : ", " + std::to_string(shape.bits) + " bits");
+    return shape.size() + " " + channels[shape.channels - 1] +
+           (shape.bits == 32 ? ", floats" : ", " + std::to_string(shape.bits) + " bits");
 }
 
 Result<Bytes> encode(const AnyImage& image) {
@@ -60,7 +61,8 @@ Result<Bytes> picture_for_page(ComparedPicture& picture) {
 Status make_folder(const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
-    if (failed) return Error{ErrorKind::input_output, folder.string() + ": cannot make the folder: " + failed.message()};
+    if (failed)
+        return Error{ErrorKind::input_output, folder.string() + ": cannot make the folder: " + failed.message()};
     return Done{};
 }
 
@@ -69,7 +71,8 @@ std::string stem_of(const std::string& name) { return name.ends_with(".png") ? n
 
 std::string actual_name(const Comparison& pair) {
     std::string ending = fs::path(pair.actual.path).extension().string();
-    if (ending.empty()) ending = pair.actual.image && std::holds_alternative<ImageF>(*pair.actual.image) ? ".pfm" : ".png";
+    if (ending.empty())
+        ending = pair.actual.image && std::holds_alternative<ImageF>(*pair.actual.image) ? ".pfm" : ".png";
     return stem_of(pair.name) + ".actual" + ending;
 }
 
@@ -229,7 +232,8 @@ Status DiffReport::finish() try {
 }
 
 bool DiffReport::all_pass() const {
-    return std::all_of(entries_.begin(), entries_.end(), [](const ReportEntry& entry) { return passes(entry.verdict); });
+    return std::all_of(entries_.begin(), entries_.end(),
+                       [](const ReportEntry& entry) { return passes(entry.verdict); });
 }
 
 int DiffReport::exit_code() const {

@@ -15,7 +15,8 @@ constexpr std::string_view replacement = "\xef\xbf\xbd";
 std::size_t sequence_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const std::size_t lengths[] = {1, 0, 2, 3, 4, 0};
-    const std::size_t length = lengths[(byte(0) >= 0x80) + (byte(0) >= 0xc2) + (byte(0) >= 0xe0) + (byte(0) >= 0xf0) + (byte(0) >= 0xf5)];
+    const std::size_t length =
+        lengths[(byte(0) >= 0x80) + (byte(0) >= 0xc2) + (byte(0) >= 0xe0) + (byte(0) >= 0xf0) + (byte(0) >= 0xf5)];
     if (length == 0 || length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xc0) != 0x80) return 0;
@@ -50,7 +51,8 @@ private:
     static constexpr int deepest = 64;
 
     void skip_space() {
-        while (!text_.empty() && std::string_view(" \t\r\n").find(text_[0]) != std::string_view::npos) text_.remove_prefix(1);
+        while (!text_.empty() && std::string_view(" \t\r\n").find(text_[0]) != std::string_view::npos)
+            text_.remove_prefix(1);
     }
     bool take(char c) {
         skip_space();

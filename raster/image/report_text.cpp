@@ -28,12 +28,12 @@ std::string figures_in_words(const ReportEntry& entry) {
     if (f.failing != f.differing) words += ", " + grouped(f.failing) + " of them beyond the gates";
     if (!entry.regions.empty()) {
         const PixelRect& box = entry.regions[0].box;
-        words += "; in " + plural(entry.region_count, "place") + (entry.region_count > 1 ? ", most of it" : "") + " at " +
-                 at(box.x, box.y) + ", " + std::to_string(box.width) + "x" + std::to_string(box.height);
+        words += "; in " + plural(entry.region_count, "place") + (entry.region_count > 1 ? ", most of it" : "") +
+                 " at " + at(box.x, box.y) + ", " + std::to_string(box.width) + "x" + std::to_string(box.height);
     }
     words += "\n  max " + exact_number(f.max) + " at " + at(f.max_x, f.max_y) + "  mean " + significant_number(f.mean) +
-             "  RMS " + significant_number(f.rms) + "  PSNR " + psnr_number(f.psnr) + " dB  SSIM " + ssim_number(f.ssim) +
-             "  FLIP " + flip_number(f.flip) + "\n";
+             "  RMS " + significant_number(f.rms) + "  PSNR " + psnr_number(f.psnr) + " dB  SSIM " +
+             ssim_number(f.ssim) + "  FLIP " + flip_number(f.flip) + "\n";
     return words;
 }
 
@@ -105,7 +105,8 @@ std::string xml(const std::string& text) {
 std::string to_string(const ReportEntry& entry, const std::string& folder) {
     std::string words = std::string(to_string(entry.verdict)) + ": " + entry.name + "\n";
     const auto line = [&](const std::string& label, const std::string& text) {
-        if (!text.empty()) words += "  " + label + std::string(12 - std::min<std::size_t>(label.size(), 11), ' ') + text + "\n";
+        if (!text.empty())
+            words += "  " + label + std::string(12 - std::min<std::size_t>(label.size(), 11), ' ') + text + "\n";
     };
     if (!entry.reason.empty()) words += "  " + entry.reason + "\n";
     if (entry.figures && entry.verdict != Verdict::same) words += figures_in_words(entry);
@@ -132,10 +133,12 @@ std::string DiffReport::text() const {
         failed += passed ? 0 : 1;
         approvable += entry.approvable ? 1 : 0;
         tolerated += entry.verdict == Verdict::tolerated ? 1 : 0;
-        if (entry.verdict != Verdict::same || !entry.warnings.empty() || !entry.notes.empty()) words += to_string(entry, folder_);
+        if (entry.verdict != Verdict::same || !entry.warnings.empty() || !entry.notes.empty())
+            words += to_string(entry, folder_);
     }
     if (failed == 0)
-        return words + (tolerated > 0 ? "all pass: " : "all same: ") + plural(std::int64_t(entries_.size()), "picture") +
+        return words + (tolerated > 0 ? "all pass: " : "all same: ") +
+               plural(std::int64_t(entries_.size()), "picture") +
                (tolerated > 0 ? ", " + grouped((long long)tolerated) + " within the gates" : "") + "\n";
     words += grouped((long long)failed) + " of " + plural(std::int64_t(entries_.size()), "picture") + " failed" +
              (difference_only_.empty() ? "; see " + folder_ + "/report.html\n" : "\n");
@@ -145,13 +148,17 @@ std::string DiffReport::text() const {
 
 std::string to_json(const ReportEntry& e) {
     JsonObject object;
-    object.text("name", e.name).text("verdict", to_string(e.verdict)).add("passes", passes(e.verdict) ? "true" : "false");
+    object.text("name", e.name)
+        .text("verdict", to_string(e.verdict))
+        .add("passes", passes(e.verdict) ? "true" : "false");
     object.add("approvable", e.approvable ? "true" : "false").text("reason", e.reason).text("golden", e.golden);
     object.add("expected", json_of(e.expected_path, e.expected_shape, e.expected_crc));
     object.add("actual", json_of(e.actual_path, e.actual_shape, e.actual_crc));
     object.add("width", std::to_string(e.width)).add("height", std::to_string(e.height));
     object.add("figures", e.figures ? json_of(*e.figures) : "null");
-    object.add("gates", json_of(e.gates)).add("would_pass", array_of(e.would_pass, [](const Gates& g) { return json_of(g); }));
+    object.add("gates", json_of(e.gates)).add("would_pass", array_of(e.would_pass, [](const Gates& g) {
+                                                  return json_of(g);
+                                              }));
     object.add("warnings", array_of(e.warnings, json_string)).add("notes", array_of(e.notes, json_string));
     object.add("regions", array_of(e.regions, [](const DiffRegion& r) { return json_of(r); }));
     object.add("region_count", std::to_string(e.region_count));
@@ -182,13 +189,13 @@ std::string DiffReport::junit() const {
         (error ? errors : failures) += 1;
         const std::string kind = error ? "error" : "failure";
         cases += ">\n      <" + kind + " type=\"" + to_string(entry.verdict) + "\" message=\"" +
-                 xml(entry.reason.empty() ? to_string(entry.verdict) : entry.reason) + "\">" + xml(to_string(entry, folder_)) +
-                 "</" + kind + ">\n    </testcase>\n";
+                 xml(entry.reason.empty() ? to_string(entry.verdict) : entry.reason) + "\">" +
+                 xml(to_string(entry, folder_)) + "</" + kind + ">\n    </testcase>\n";
     }
-    const std::string counts = "tests=\"" + std::to_string(entries_.size()) + "\" failures=\"" + std::to_string(failures) +
-                               "\" errors=\"" + std::to_string(errors) + "\"";
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts + ">\n  <testsuite name=\"raster diff\" " + counts +
-           ">\n" + cases + "  </testsuite>\n</testsuites>\n";
+    const std::string counts = "tests=\"" + std::to_string(entries_.size()) + "\" failures=\"" +
+                               std::to_string(failures) + "\" errors=\"" + std::to_string(errors) + "\"";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +
+           ">\n  <testsuite name=\"raster diff\" " + counts + ">\n" + cases + "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace raster

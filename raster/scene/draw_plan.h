@@ -112,7 +112,8 @@ void with_runtime_pixel_shader(const PlannedDraw& d, const Visit& visit) {
     const RuntimeModel model{d.reflectance};
     switch (d.level) {
         case Detail::plain: return visit(PixelShader<RuntimeModel, Detail::plain>{d.uniforms, model}, d.mesh, d.state);
-        case Detail::mapped: return visit(PixelShader<RuntimeModel, Detail::mapped>{d.uniforms, model}, d.mesh, d.state);
+        case Detail::mapped:
+            return visit(PixelShader<RuntimeModel, Detail::mapped>{d.uniforms, model}, d.mesh, d.state);
         case Detail::terms: return visit(PixelShader<RuntimeModel, Detail::terms>{d.uniforms, model}, d.mesh, d.state);
     }
 }

@@ -51,9 +51,9 @@ constexpr TextureKey texture_keys[] = {{"map_Ka", &Material::ambient_texture},
                                        {"map_Ke", &Material::emission_texture},
                                        {"map_d", &Material::alpha_texture}};
 
-constexpr std::string_view unused_keys[] = {"Tf",        "Kt",       "sharpness", "map_Ns",   "map_bump", "map_Bump", "bump",  "map_Pr",
-                                            "map_disp",  "map_Disp", "disp",     "map_refl", "refl",  "map_Pm",
-                                            "map_Ps",    "norm",     "map_aat",  "map_Tr",   "decal", "map_decal"};
+constexpr std::string_view unused_keys[] = {
+    "Tf",   "Kt",       "sharpness", "map_Ns", "map_bump", "map_Bump", "bump",    "map_Pr", "map_disp", "map_Disp",
+    "disp", "map_refl", "refl",      "map_Pm", "map_Ps",   "norm",     "map_aat", "map_Tr", "decal",    "map_decal"};
 
 template <class Row, std::size_t n>
 const Row* find_key(const Row (&rows)[n], std::string_view key) {

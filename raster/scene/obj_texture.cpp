@@ -49,7 +49,8 @@ int Textures::load(const TextureUse& use, const MaterialEntry& entry) {
 Result<Image8> Textures::read(const std::string& path) {
     ImageLimits limits = options_.texture_limits;
     const std::size_t left = options_.max_texture_bytes - std::min(bytes_, options_.max_texture_bytes);
-    limits.max_pixels = std::min(limits.max_pixels, std::int64_t(std::min<std::uint64_t>(left, std::uint64_t(1) << 40)) / 4);
+    limits.max_pixels =
+        std::min(limits.max_pixels, std::int64_t(std::min<std::uint64_t>(left, std::uint64_t(1) << 40)) / 4);
     Result<AnyImage> image = load_image(path, limits);
     if (!image) {
         // The sentence around it names the file already.

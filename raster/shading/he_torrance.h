@@ -49,7 +49,8 @@ struct HeTorrance {
             const F g = effective2 * (sum * sum) * (4.0f * per_wavelength * per_wavelength);
             const F spread = tilt * (tau * per_wavelength * tau * per_wavelength);
             const float g_max = 16.0f * sigma * sigma * per_wavelength * per_wavelength;
-            const F d = he_torrance::scattering(g, spread, g_max) * (0.25f * tau * per_wavelength * tau * per_wavelength);
+            const F d =
+                he_torrance::scattering(g, spread, g_max) * (0.25f * tau * per_wavelength * tau * per_wavelength);
             const F geometry = length2 / sum * (length2 / sum);
             const F directional = geometry * d / n_v;
             const F mirror = select(in_mirror, raster::exp(-g) * F(3.14159265f / solid_angle), F(0));

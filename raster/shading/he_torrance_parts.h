@@ -66,7 +66,8 @@ inline F scattering(F g, F spread, float g_max) {
     const F per_g = F(1) / many;
     const F second = (t - 4.0f) * t + 2.0f;
     const F third = (((t * 0.125f - 11.0f / 6) * t + 7.5f) * t - 9.0f) * t + 2.0f;
-    const F fourth = (((((t * (1.0f / 48) - 2.0f / 3) * t + 22.0f / 3) * t - 34.0f) * t + 65.5f) * t - 44.0f) * t + 6.0f;
+    const F fourth =
+        (((((t * (1.0f / 48) - 2.0f / 3) * t + 22.0f / 3) * t - 34.0f) * t + 65.5f) * t - 44.0f) * t + 6.0f;
     const F bent = ((fourth * per_g + third) * per_g + second * 0.5f) * per_g + 1.0f;
     return select(g > F(large_g), raster::exp(-t) * per_g * bent, series);
 }

@@ -40,7 +40,9 @@ struct Measured {
 
     std::shared_ptr<const MeasuredTable> table;
 
-    Measured with_material(const Material& material) const { return material.measured ? Measured{material.measured} : *this; }
+    Measured with_material(const Material& material) const {
+        return material.measured ? Measured{material.measured} : *this;
+    }
 
     template <class F>
     Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {

@@ -158,7 +158,8 @@ inline vec<4, F> sample(const TextureView& texture, const vec<2, F>& uv) {
     const Int<F> top(texture.height - 1);  // v points up and rows go down
     vec<4, F> value;
     if (texture.filter == Filter::nearest) {
-        Int<F> column = nearest_texel(texture.wrap, uv.x, texture.width), row = nearest_texel(texture.wrap, uv.y, texture.height);
+        Int<F> column = nearest_texel(texture.wrap, uv.x, texture.width),
+               row = nearest_texel(texture.wrap, uv.y, texture.height);
         value = unpack_texel<F>(texture, gather(texture.texels, (top - row) * width + column));
     } else {
         TexelPair<F> u = neighbour_texels(texture.wrap, uv.x, texture.width);

@@ -61,7 +61,8 @@ template <class F>
 inline Int<F> user_outcode(UserPlanes user, const vec<4, F>& clip) {
     Int<F> code(0);
     for (int i = 0; i < user_plane_count(user); ++i)
-        code = code | select(clip_distance(user[std::size_t(i)], clip) < F(0), Int<F>(1 << (clip_plane_count + i)), Int<F>(0));
+        code = code |
+               select(clip_distance(user[std::size_t(i)], clip) < F(0), Int<F>(1 << (clip_plane_count + i)), Int<F>(0));
     return code;
 }
 
@@ -135,7 +136,8 @@ inline bool is_near_volume(const glm::vec4& clip) {
 /// The part of a triangle inside all planes that `outside`, the union of its corners' outcodes, names. seen(plane,
 /// before, after) is called for each cut. Empty when the numbers are too large to cut.
 template <Shader S, std::size_t N, class Seen>
-inline ClipPolygon<N> clip_triangle(ClipPolygon<N> polygon, std::int32_t outside, const Seen& seen, UserPlanes user = {}) {
+inline ClipPolygon<N> clip_triangle(ClipPolygon<N> polygon, std::int32_t outside, const Seen& seen,
+                                    UserPlanes user = {}) {
     for (int plane = 0; plane < max_clip_planes && polygon.count >= 3; ++plane) {
         if (!(outside & (1 << plane))) continue;
         const ClipPolygon<N> before = polygon;

@@ -29,7 +29,8 @@ template <HasFragment S, class F>
 using OutputArray = std::array<F, std::size_t(output_count<S>)>;
 
 template <HasFragment S, class F>
-inline OutputArray<S, F> shade_fragment(const S& shader, const VaryingArray<S, F>& varyings, const FragmentInput<F>& at) {
+inline OutputArray<S, F> shade_fragment(const S& shader, const VaryingArray<S, F>& varyings,
+                                        const FragmentInput<F>& at) {
     static_assert(output_count<S> >= 4, "a fragment function returns vec<4, F> or a struct that begins with one");
     const auto result = detail::call_fragment<S, F>(shader, from_array<S, F>(varyings), at);
     OutputArray<S, F> array;

@@ -102,8 +102,8 @@ inline F value_at(const DepthPlane<F>& p, F px, F py) {
 
 /// How much a triangle's depth is moved. For float depths the smallest step is that of the largest corner's exponent.
 template <class F>
-inline F depth_offset(const DepthOffset& offset, DepthFormat format, const WindowVertex<F>& v0, const WindowVertex<F>& v1,
-                      const WindowVertex<F>& v2) {
+inline F depth_offset(const DepthOffset& offset, DepthFormat format, const WindowVertex<F>& v0,
+                      const WindowVertex<F>& v1, const WindowVertex<F>& v2) {
     const F dx01 = v0.x - v1.x, dy01 = v0.y - v1.y, dz01 = v0.z - v1.z;
     const F dx20 = v2.x - v0.x, dy20 = v2.y - v0.y, dz20 = v2.z - v0.z;
     const F ooa = F(1) / (dx01 * dy20 - dy01 * dx20);
@@ -134,7 +134,9 @@ inline PixelBox drawable_pixels(const State& state, int width, int height) {
     const PixelBox all{0, 0, width - 1, height - 1};
     if (!state.scissor) return all;
     // The sum of two ints may not fit one.
-    const auto last = [](int start, int size) { return int(std::min<std::int64_t>(std::int64_t(start) + size, 1 << 30)) - 1; };
+    const auto last = [](int start, int size) {
+        return int(std::min<std::int64_t>(std::int64_t(start) + size, 1 << 30)) - 1;
+    };
     const Scissor& s = *state.scissor;
     return intersection(all, {s.x, s.y, last(s.x, s.width), last(s.y, s.height)});
 }
@@ -142,8 +144,9 @@ inline PixelBox drawable_pixels(const State& state, int width, int height) {
 inline PixelBox bounding_pixels(const std::array<SubpixelVertex<float>, 3>& v, int width, int height) {
     const auto [min_x, max_x] = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto [min_y, max_y] = std::minmax({v[0].y, v[1].y, v[2].y});
-    return {std::max((min_x + subpixels - 1) >> subpixel_bits, 0), std::max((min_y + subpixels - 1) >> subpixel_bits, 0),
-            std::min(max_x >> subpixel_bits, width - 1), std::min(max_y >> subpixel_bits, height - 1)};
+    return {std::max((min_x + subpixels - 1) >> subpixel_bits, 0),
+            std::max((min_y + subpixels - 1) >> subpixel_bits, 0), std::min(max_x >> subpixel_bits, width - 1),
+            std::min(max_y >> subpixel_bits, height - 1)};
 }
 
 /// The corners of a triangle in the order in which it is set up: 0 and 1 are exchanged when it runs clockwise.

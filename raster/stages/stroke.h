@@ -55,7 +55,8 @@ inline std::optional<Stroke<S>> make_line(const StrokeContext& context, ShadedVe
         a = (*inside)[0], b = (*inside)[1];
     }
     const auto wa = project(a.clip, context.viewport), wb = project(b.clip, context.viewport);
-    const auto setup = make_line_setup(wa, wb, std::max(state.line_width, 1), state.fill_rule, context.width, context.height);
+    const auto setup =
+        make_line_setup(wa, wb, std::max(state.line_width, 1), state.fill_rule, context.width, context.height);
     if (!setup) return ++counts.zero_area, std::nullopt;
     ++counts.drawn;
 
@@ -78,7 +79,8 @@ inline std::optional<Stroke<S>> make_line(const StrokeContext& context, ShadedVe
 
 /// The point at v; nothing when its centre is not visible.
 template <Shader S, std::size_t N>
-inline std::optional<Stroke<S>> make_point(const StrokeContext& context, const ShadedVertex<float, N>& v, DrawCounts& counts) {
+inline std::optional<Stroke<S>> make_point(const StrokeContext& context, const ShadedVertex<float, N>& v,
+                                           DrawCounts& counts) {
     const State& state = context.state;
     if (!is_finite(v.clip)) return ++counts.not_finite, std::nullopt;
     if (!is_point_visible(v.clip, state.clip_planes)) return ++counts.outside, std::nullopt;

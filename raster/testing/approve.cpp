@@ -70,7 +70,8 @@ Status approve_pair(const JsonValue& pair, const fs::path& folder, const Approve
     const fs::path actual = folder / actual_name;
     const Result<Bytes> file = read_file(actual.string(), most_bytes);
     if (!file) return refuse(file.error().message);
-    if (!has_crc(*file, side_text(pair, "actual", "crc32"))) return refuse(actual.string() + " changed since it was compared");
+    if (!has_crc(*file, side_text(pair, "actual", "crc32")))
+        return refuse(actual.string() + " changed since it was compared");
     if (const std::string problem = picture_problem(*file, actual.string()); !problem.empty()) return refuse(problem);
     if (lower_ending(golden) != lower_ending(actual))
         return refuse("is not of the kind of the actual picture, " + actual.string());
@@ -91,7 +92,8 @@ Status approve_pair(const JsonValue& pair, const fs::path& folder, const Approve
         std::error_code failed;
         if (golden.has_parent_path()) fs::create_directories(golden.parent_path(), failed);
         if (failed)
-            return Error{ErrorKind::input_output, golden.parent_path().string() + ": cannot make the folder: " + failed.message()};
+            return Error{ErrorKind::input_output,
+                         golden.parent_path().string() + ": cannot make the folder: " + failed.message()};
         if (const Status written = write_file(golden.string(), *file); !written) return written;
     }
     approval.approved.push_back(golden.string());
@@ -107,15 +109,16 @@ Status approve_report(const fs::path& data, const ApproveOptions& options, Appro
     const auto pairs = report->members.find("pairs");
     if (pairs == report->members.end()) return Done{};
     for (const JsonValue& pair : pairs->second.items)
-        if (const Status approved = approve_pair(pair, data.parent_path(), options, approval); !approved) return approved;
+        if (const Status approved = approve_pair(pair, data.parent_path(), options, approval); !approved)
+            return approved;
     return Done{};
 }
 
 Result<Approval> approve_all(const std::string& folder, const ApproveOptions& options) {
     std::error_code failed;
     std::vector<fs::path> reports;
-    for (auto entry = fs::recursive_directory_iterator(folder, failed); !failed && entry != fs::recursive_directory_iterator();
-         entry.increment(failed))
+    for (auto entry = fs::recursive_directory_iterator(folder, failed);
+         !failed && entry != fs::recursive_directory_iterator(); entry.increment(failed))
         if (entry->path().filename() == "diff.json") reports.push_back(entry->path());
     if (failed) return Error{ErrorKind::input_output, folder + ": cannot read: " + failed.message()};
     if (reports.empty()) return Error{ErrorKind::bad_input, folder + ": no diff.json there: no comparison has failed"};

@@ -43,7 +43,8 @@ GoldenResult check(const std::string& name, const AnyImage& image, const DiffOpt
     if (const std::string problem = name_problem(name); !problem.empty()) return failure(problem);
     const diff_steps::Shape shape = diff_steps::shape_of(image);
     const bool floats = shape.bits == 32;
-    if (floats && shape.channels % 2 == 0) return failure(name + ": a PFM file keeps no alpha: compare 1 or 3 channels");
+    if (floats && shape.channels % 2 == 0)
+        return failure(name + ": a PFM file keeps no alpha: compare 1 or 3 channels");
     if (shape.width < 1 || shape.height < 1) return failure(name + ": the actual picture is empty");
     const std::string file_name = with_ending(name, floats ? ".pfm" : ".png");
 

@@ -36,7 +36,9 @@ public:
         if (!result.message.empty()) *listener << "\n" << result.message;
         return result.passed;
     }
-    void DescribeTo(std::ostream* out) const { *out << "is the golden picture \"" << name_ << "\", " << to_string(options_.gates); }
+    void DescribeTo(std::ostream* out) const {
+        *out << "is the golden picture \"" << name_ << "\", " << to_string(options_.gates);
+    }
     void DescribeNegationTo(std::ostream* out) const { *out << "is not the golden picture \"" << name_ << "\""; }
 
 private:

@@ -17,7 +17,8 @@ namespace {
 /// The work on one chunk of triangles.
 class ChunkBinner {
 public:
-    ChunkBinner(const DrawContext& draw, Clipper& clipper, ChunkBins& bins) : draw_(draw), clipper_(clipper), bins_(bins) {}
+    ChunkBinner(const DrawContext& draw, Clipper& clipper, ChunkBins& bins)
+        : draw_(draw), clipper_(clipper), bins_(bins) {}
 
     RASTER_FLATTEN DrawCounts run(std::size_t begin, std::size_t end) {
         bins_.pairs.clear();
@@ -101,7 +102,8 @@ private:
     }
 
     /// Among triangles of at most 2 x 2 pixel centres, those that cover none: most of a fine mesh.
-    std::uint32_t nothing_covered(std::array<SubpixelVertex<FloatN>, 3> v, IntN x0, IntN y0, IntN columns, IntN rows) const {
+    std::uint32_t nothing_covered(std::array<SubpixelVertex<FloatN>, 3> v, IntN x0, IntN y0, IntN columns,
+                                  IntN rows) const {
         for (auto& corner : v) {
             corner.x = corner.x - (x0 << subpixel_bits);
             corner.y = corner.y - (y0 << subpixel_bits);
@@ -146,7 +148,8 @@ private:
         fate.count(counts_);
     }
 
-    void bin_piece(const std::array<WindowVertex<float>, 3>& window, int piece, std::uint32_t triangle, PieceFate& fate) {
+    void bin_piece(const std::array<WindowVertex<float>, 3>& window, int piece, std::uint32_t triangle,
+                   PieceFate& fate) {
         const std::int64_t area = signed_area({snap(window[0]), snap(window[1]), snap(window[2])});
         if (area == 0) return;
         if (is_culled(draw_.state.cull, is_front_facing(draw_.state.front_face, area))) {
@@ -160,7 +163,8 @@ private:
         }
     }
 
-    [[gnu::noinline]] bool bin_large(const std::array<WindowVertex<float>, 3>& window, std::uint32_t triangle, std::int32_t piece) {
+    [[gnu::noinline]] bool bin_large(const std::array<WindowVertex<float>, 3>& window, std::uint32_t triangle,
+                                     std::int32_t piece) {
         const std::array<SubpixelVertex<float>, 3> subpixel{snap(window[0]), snap(window[1]), snap(window[2])};
         const std::int64_t area = signed_area(subpixel);
         TriangleSetup setup = make_setup(window, subpixel, area, draw_.state.fill_rule, draw_.width, draw_.height,

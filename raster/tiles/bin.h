@@ -83,9 +83,11 @@ struct DrawContext {
         constexpr std::size_t pack = std::size_t(native_lanes), near = 2 * pack, far = 6 * pack;
         if (indices.empty() || state.topology != Topology::triangles || entries.size() < far + pack) return;
         for (std::size_t i = 0; i < pack; ++i) {
-            if (const std::uint32_t e = entries[far + i].entry; !(e & large_bit)) prefetch(indices.data() + 3 * std::size_t(e));
+            if (const std::uint32_t e = entries[far + i].entry; !(e & large_bit))
+                prefetch(indices.data() + 3 * std::size_t(e));
             if (const std::uint32_t e = entries[near + i].entry; !(e & large_bit))
-                for (const std::uint32_t v : indices.subspan(3 * std::size_t(e), 3)) prefetch(window.data() + (v - first_vertex));
+                for (const std::uint32_t v : indices.subspan(3 * std::size_t(e), 3))
+                    prefetch(window.data() + (v - first_vertex));
         }
     }
 

@@ -20,8 +20,8 @@ protected:
 
 /// Puts a tile's triangles, in order, through coverage and depth into a shader. The target's pending clear was written
 /// before.
-void raster_blended(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index, TileBuffer& tile,
-                    Target& target, TriangleShader& shader);
+void raster_blended(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
+                    TileBuffer& tile, Target& target, TriangleShader& shader);
 
 /// The TriangleShader of a draw.
 template <HasFragment S>

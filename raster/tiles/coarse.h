@@ -28,7 +28,8 @@ inline Mask<F> is_tame(const DepthPlane<F>& p) {
 /// The smallest and the largest depth of a plane over the pixels x0..x1, y0..y1, encoded. Each rounding in value_at and
 /// encode_depth keeps order, so the extremes lie at corners, to the last bit.
 template <class F>
-inline std::pair<Int<F>, Int<F>> depth_extremes(DepthFormat format, const DepthPlane<F>& plane, F x0, F y0, F x1, F y1) {
+inline std::pair<Int<F>, Int<F>> depth_extremes(DepthFormat format, const DepthPlane<F>& plane, F x0, F y0, F x1,
+                                                F y1) {
     const Mask<F> right = plane.dadx >= F(0), down = plane.dady >= F(0), tame = is_tame(plane);
     const Int<F> low = encode_depth(format, value_at(plane, select(right, x0, x1), select(down, y0, y1)));
     const Int<F> high = encode_depth(format, value_at(plane, select(right, x1, x0), select(down, y1, y0)));

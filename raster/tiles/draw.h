@@ -22,7 +22,8 @@ inline constexpr std::size_t batch_chunks = 512;
 
 /// The range of vertices to shade: from the smallest to the largest number that an index list names among those that exist.
 /// All of them where the list is so long that looking would cost as much.
-inline std::pair<std::uint32_t, std::uint32_t> used_vertices(std::span<const std::uint32_t> indices, std::size_t vertices) {
+inline std::pair<std::uint32_t, std::uint32_t> used_vertices(std::span<const std::uint32_t> indices,
+                                                             std::size_t vertices) {
     if (vertices > 0 && (indices.empty() || indices.size() >= 4 * vertices)) return {0, std::uint32_t(vertices - 1)};
     std::uint32_t low = ~0u, high = 0;
     for (const std::uint32_t i : indices) {
@@ -37,7 +38,8 @@ inline std::pair<std::uint32_t, std::uint32_t> used_vertices(std::span<const std
 template <Shader S>
 class ShaderClipper final : public Clipper {
 public:
-    ShaderClipper(const DrawContext& draw, const S& shader, std::span<const typename S::template Vertex<float>> vertices,
+    ShaderClipper(const DrawContext& draw, const S& shader,
+                  std::span<const typename S::template Vertex<float>> vertices,
                   std::vector<std::array<VaryingArray<S>, 3>>& kept)
         : draw_(draw), shader_(shader), vertices_(vertices), kept_(kept) {
         kept.clear();
@@ -45,7 +47,8 @@ public:
 
     Fan clip(std::size_t triangle, std::int32_t outside) override {
         ClipPolygon<std::size_t(varying_count<S>)> corners;
-        for (const std::uint32_t v : draw_.corners(triangle)) corners.add(shade_vertex<S, float>(shader_, vertices_[v]));
+        for (const std::uint32_t v : draw_.corners(triangle))
+            corners.add(shade_vertex<S, float>(shader_, vertices_[v]));
         const UserPlanes user = draw_.state.clip_planes;
         outside &= not_finite_bit - 1;
         for (int c = 0; c < 3; ++c) outside |= user_outcode(user, corners.corners[std::size_t(c)].clip);
@@ -82,7 +85,8 @@ inline void find_touched_tiles(std::span<const ChunkBins> chunks, std::vector<ch
 
 /// Writes a pending clear over rows of tiles that are in good part untouched, whole rows of pixels at a time: memory takes
 /// those several times as fast as rows of a tile. The other tiles write theirs with what they draw.
-inline void clear_sparse_rows(Target& target, const DrawContext& draw, std::span<const char> touched, std::vector<char>& cleared) {
+inline void clear_sparse_rows(Target& target, const DrawContext& draw, std::span<const char> touched,
+                              std::vector<char>& cleared) {
     cleared.assign(std::size_t(draw.tiles_y), 0);
     if (!target.clear_is_pending()) return;
     parallel_for(cleared.size(), [&](std::size_t row) {
@@ -133,7 +137,8 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
 
 /// raster::draw without an observer.
 template <Shader S>
-DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template Vertex<float>>& mesh, const State& state) {
+DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template Vertex<float>>& mesh,
+                const State& state) {
     const Viewport viewport = effective_viewport(state.viewport, target.width(), target.height());
     if (!is_valid(viewport)) return {};
     const std::size_t index_count = mesh.indices.empty() ? mesh.vertices.size() : mesh.indices.size();
@@ -150,7 +155,8 @@ DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template
     const ViewportTransform transform(viewport);
     const VertexBuffer<S> shaded =
         shade_vertices(shader, mesh.vertices.subspan(low, high - low + 1), transform, state.clip_planes, scratch);
-    const int tiles_x = (target.width() + tile_size - 1) / tile_size, tiles_y = (target.height() + tile_size - 1) / tile_size;
+    const int tiles_x = (target.width() + tile_size - 1) / tile_size,
+              tiles_y = (target.height() + tile_size - 1) / tile_size;
     const DrawContext context{mesh.indices, state,   transform, target.width(), target.height(),
                               tiles_x,      tiles_y, low,       shaded.window,  shaded.outcodes,
                               drawable_pixels(state, target.width(), target.height()), target.depth_format()};
@@ -165,7 +171,8 @@ DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template
         parallel_for(chunk_count, [&](std::size_t c) {
             const std::size_t begin = first + c * chunk_triangles;
             ShaderClipper<S> clipper(context, shader, mesh.vertices, piece_varyings[c]);
-            chunk_counts[c] = bin_chunk(context, clipper, begin, std::min(begin + chunk_triangles, end), scratch.chunks[c]);
+            chunk_counts[c] =
+                bin_chunk(context, clipper, begin, std::min(begin + chunk_triangles, end), scratch.chunks[c]);
         });
         for (const DrawCounts& c : chunk_counts) counts += c;
 

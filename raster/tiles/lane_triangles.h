@@ -62,8 +62,8 @@ inline Mask<F> order_corners(std::array<WindowVertex<F>, 3>& v, std::array<Subpi
 /// Which of the pixels (x0, y0), (x0 + 1, y0), (x0, y0 + 1), (x0 + 1, y0 + 1) a triangle covers, as bits 0 to 3, for boxes
 /// of one or two columns and rows (`columns` and `rows` are 0 or 1). origins are the edges' pixel_origin.
 template <class F>
-inline Int<F> covered_2x2(const std::array<Edge<F>, 3>& edges, const std::array<Int<F>, 3>& origins, Int<F> x0, Int<F> y0,
-                          Int<F> columns, Int<F> rows) {
+inline Int<F> covered_2x2(const std::array<Edge<F>, 3>& edges, const std::array<Int<F>, 3>& origins, Int<F> x0,
+                          Int<F> y0, Int<F> columns, Int<F> rows) {
     // The sign of an OR is negative where any operand is.
     Int<F> outside[4] = {Int<F>(0), Int<F>(0), Int<F>(0), Int<F>(0)};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -72,7 +72,8 @@ inline std::array<std::int32_t, 3> ordered_corners(const DrawContext& draw, std:
 template <Shader S>
 inline void describe(ShadingPlanes<S>& planes, const Slot& slot, std::uint32_t triangle) {
     const DepthPlane<float>& depth = slot.depth;
-    planes.depth[0] = depth.origin, planes.depth[1] = depth.dadx, planes.depth[2] = depth.dady, planes.depth[3] = depth.offset;
+    planes.depth[0] = depth.origin, planes.depth[1] = depth.dadx, planes.depth[2] = depth.dady,
+    planes.depth[3] = depth.offset;
     planes.triangle = std::int32_t(triangle);
     planes.front_facing = slot.front_facing ? -1 : 0;
 }
@@ -113,7 +114,8 @@ inline ShadingPlanes<S> make_shading_planes(const ShadingContext<S>& context, co
 
 /// Asks for the varyings of the corners of slots whose planes are made soon.
 template <Shader S>
-inline void prefetch_varyings(const ShadingContext<S>& context, std::span<const Slot> slots, std::span<const std::int32_t> which) {
+inline void prefetch_varyings(const ShadingContext<S>& context, std::span<const Slot> slots,
+                              std::span<const std::int32_t> which) {
     if (std::size_t(varying_count<S>) == 0) return;
     for (const std::int32_t w : which) {
         const Slot& slot = slots[std::size_t(w)];
@@ -151,8 +153,8 @@ RASTER_ONE_CALL void make_shading_planes(const ShadingContext<S>& context, std::
         // The last four may end behind the vertex's own; ScratchBuffer has room behind the last vertex's.
         std::array<FloatN, (count + 3) / 4 * 4> four_by_four;
         for (std::size_t k = 0; k < count; k += 4)
-            gather4(context.varyings[0].data() + k, places[c], four_by_four[k], four_by_four[k + 1], four_by_four[k + 2],
-                    four_by_four[k + 3], std::ptrdiff_t(count));
+            gather4(context.varyings[0].data() + k, places[c], four_by_four[k], four_by_four[k + 1],
+                    four_by_four[k + 2], four_by_four[k + 3], std::ptrdiff_t(count));
         std::copy_n(four_by_four.begin(), count, varyings[c].begin());
     }
     const auto numbers = to_numbers<S, FloatN>(make_varying_planes<S, FloatN>(

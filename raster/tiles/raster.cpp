@@ -71,8 +71,8 @@ private:
 };
 
 template <class Depth, bool colors>
-RASTER_FLATTEN void raster_remembering(const DrawContext& draw, std::span<const ChunkBins> chunks, std::size_t tile_index,
-                                       TileBuffer& tile, const Depth& depth) {
+RASTER_FLATTEN void raster_remembering(const DrawContext& draw, std::span<const ChunkBins> chunks,
+                                       std::size_t tile_index, TileBuffer& tile, const Depth& depth) {
     RememberSink<colors> sink(tile);
     raster_tile(draw, chunks, tile_index, tile, depth, sink);
 }

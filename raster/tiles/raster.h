@@ -136,9 +136,11 @@ private:
     /// what is covered or passes: nobody could foretell it.
     void draw_rows(const TileTriangle& t, int left, int y0, int y1) {
         IntN x = IntN(left) + lane_index<FloatN>(), y(y0);
-        IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y), e2 = edge_in_tile(t.edges[2], x, y);
+        IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y),
+             e2 = edge_in_tile(t.edges[2], x, y);
         const IntN down0(t.edges[0].step_y), down1(t.edges[1].step_y), down2(t.edges[2].step_y);
-        Column<FloatN> z = column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
+        Column<FloatN> z =
+            column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
         FloatN py = to_float(IntN(tile_.y) + y);
         int i = y0 * tile_size + left;
         for (int row = y0; row <= y1; ++row) {
@@ -184,7 +186,8 @@ private:
             full = full && origin[i] + std::min(across, 0) + std::min(down, 0) >= 0;
         }
         const int px = tile_.x + x, py = tile_.y + y;
-        const DepthRange incoming = depth_range(depth_.format, t.depth, px, py, px + block_size - 1, py + block_size - 1);
+        const DepthRange incoming =
+            depth_range(depth_.format, t.depth, px, py, px + block_size - 1, py + block_size - 1);
         if (none_passes(depth_.compare, incoming, tile_.range[block])) return;
         const bool all = full && all_pass(depth_.compare, incoming, tile_.range[block]);
         if (all && depth_.write) {
@@ -196,7 +199,8 @@ private:
             return;
         }
         touch(block, incoming);
-        for (int column = 0; column < block_size; column += native_lanes) draw_rows(t, x + column, y, y + block_size - 1);
+        for (int column = 0; column < block_size; column += native_lanes)
+            draw_rows(t, x + column, y, y + block_size - 1);
     }
 
     TileBuffer& tile_;
@@ -221,7 +225,8 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
     collect_entries(chunks, tile_index, tile.entries);
     const std::span<const TileEntry> entries = tile.entries;
     for (std::size_t start = 0; start < entries.size(); start += std::size_t(native_lanes)) {
-        const std::span<const TileEntry> some = entries.subspan(start, std::min(entries.size() - start, std::size_t(native_lanes)));
+        const std::span<const TileEntry> some =
+            entries.subspan(start, std::min(entries.size() - start, std::size_t(native_lanes)));
         draw.prefetch_entries(entries.subspan(start));
         std::array<IntN, 3> places{IntN(0), IntN(0), IntN(0)};
         std::uint32_t large = 0;
@@ -234,7 +239,8 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
             }
         }
         if (large != (1u << some.size()) - 1)
-            set_up_pack(pack, &draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width, draw.height);
+            set_up_pack(pack, &draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width,
+                        draw.height);
         for (std::size_t lane = 0; lane < some.size(); ++lane) {
             const auto [chunk, entry] = some[lane];
             if (large >> lane & 1) {

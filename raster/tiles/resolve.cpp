@@ -7,7 +7,8 @@
 namespace raster::tiles {
 
 std::uint64_t pixels_in_target(const Target& target, int x, int y) {
-    const int columns = std::clamp(target.width() - x, 0, block_size), rows = std::clamp(target.height() - y, 0, block_size);
+    const int columns = std::clamp(target.width() - x, 0, block_size),
+              rows = std::clamp(target.height() - y, 0, block_size);
     if (columns == 0 || rows == 0) return 0;
     const std::uint64_t row = 0xff >> (block_size - columns);
     return (row * 0x0101010101010101u) & (~std::uint64_t(0) >> (block_size * (block_size - rows)));
@@ -41,12 +42,14 @@ void write_block_depth(const TileBuffer& tile, int block, Target& target) {
     const int x = tile.x + block_x(block), y = tile.y + block_y(block);
     const int columns = std::min(block_size, target.width() - x), rows = std::min(block_size, target.height() - y);
     const bool uniform = tile.uniform >> block & 1;
-    const DepthPlane<float> plane = uniform ? tile.slots[std::size_t(tile.block_slot[block])].depth : DepthPlane<float>{};
+    const DepthPlane<float> plane =
+        uniform ? tile.slots[std::size_t(tile.block_slot[block])].depth : DepthPlane<float>{};
     const DepthFormat format = target.depth_format();
     for (int row = 0; row < rows; ++row) {
         std::int32_t line[block_size];
         if (uniform) {
-            for (int c = 0; c < block_size; c += native_lanes) store_int(line + c, depth_row(format, plane, x + c, y + row));
+            for (int c = 0; c < block_size; c += native_lanes)
+                store_int(line + c, depth_row(format, plane, x + c, y + row));
         } else {
             std::memcpy(line, tile.depth + first_pixel_of_block(block) + row * tile_size, sizeof line);
         }
@@ -65,7 +68,8 @@ std::uint32_t blocks_to_clear(const TileBuffer& tile, int by, bool colors_follow
     for (int bx = 0; bx < blocks_per_row; ++bx) {
         const int block = by * blocks_per_row + bx;
         const bool uniform = tile.uniform >> block & 1;
-        const bool hidden = uniform ? tile.block_slot[block] != 0 : colors_follow && visible_pixels(tile, block) == ~std::uint64_t(0);
+        const bool hidden =
+            uniform ? tile.block_slot[block] != 0 : colors_follow && visible_pixels(tile, block) == ~std::uint64_t(0);
         if (!hidden || !colors_follow) r |= 1u << bx;
     }
     return r;
@@ -80,7 +84,8 @@ void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool dep
             for (std::uint32_t rest = blocks_to_clear(tile, by, colors_follow); rest;) {
                 // Neighbours at one go: long rows are written faster.
                 const int first = std::countr_zero(rest), run = std::countr_one(rest >> first);
-                target.write_clear_box(tile.x + first * block_size, tile.y + by * block_size, run * block_size, block_size);
+                target.write_clear_box(tile.x + first * block_size, tile.y + by * block_size, run * block_size,
+                                       block_size);
                 rest &= ~(((1u << run) - 1) << first);
             }
         if (!depth_write && !clear_wanted) continue;

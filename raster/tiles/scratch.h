@@ -89,7 +89,8 @@ struct Scratch {
 
     /// How much memory it holds.
     std::size_t bytes() const {
-        std::size_t sum = window.bytes() + outcodes.bytes() + varyings.bytes() + touched.capacity() + workspaces.bytes();
+        std::size_t sum =
+            window.bytes() + outcodes.bytes() + varyings.bytes() + touched.capacity() + workspaces.bytes();
         for (const ChunkBins& c : chunks) sum += c.bytes();
         return sum;
     }

@@ -39,7 +39,8 @@ inline TileTriangle place_large(const LargeTriangle& large, DepthFormat format, 
         const Edge<float>& e = setup.edges[i];
         const std::int64_t origin =
             pixel_origin(e) + std::int64_t(e.step_x) * tile_x + std::int64_t(e.step_y) * tile_y;
-        const std::int64_t across = std::int64_t(e.step_x) * (tile_size - 1), down = std::int64_t(e.step_y) * (tile_size - 1);
+        const std::int64_t across = std::int64_t(e.step_x) * (tile_size - 1),
+                           down = std::int64_t(e.step_y) * (tile_size - 1);
         const std::int64_t low = origin + std::min<std::int64_t>(across, 0) + std::min<std::int64_t>(down, 0);
         const std::int64_t high = origin + std::max<std::int64_t>(across, 0) + std::max<std::int64_t>(down, 0);
         if (high < 0) t.x1 = t.x0 - 1;

@@ -45,8 +45,8 @@ struct ShadingColumn {
             Plane<F> plane;
             gather4(planes->depth, which, plane.origin, plane.dadx, plane.dady, depth_offset, stride);
             F triangle_bits, front_bits, unused0, unused1;
-            gather4(reinterpret_cast<const float*>(&planes->triangle), which, triangle_bits, front_bits, unused0, unused1,
-                    stride);
+            gather4(reinterpret_cast<const float*>(&planes->triangle), which, triangle_bits, front_bits, unused0,
+                    unused1, stride);
             depth = column_at(plane, px);
             triangle = as_int(triangle_bits);
             front_facing = as_int(front_bits) != Int<F>(0);
@@ -65,8 +65,8 @@ inline OutputArray<S, F> shade_pixels(const S& shader, const ShadingColumn<S, F>
 
 /// One pack of outputs blended into the target: lane i into the pixel index[i], where bit i of `bits` is set.
 template <HasFragment S>
-inline void write_pixels(Target& target, const std::array<std::size_t, native_lanes>& index, std::uint32_t bits, Blend blend,
-                         const OutputArray<S, FloatN>& out) {
+inline void write_pixels(Target& target, const std::array<std::size_t, native_lanes>& index, std::uint32_t bits,
+                         Blend blend, const OutputArray<S, FloatN>& out) {
     const vec<4, FloatN> color(out[0], out[1], out[2], out[3]);
     if (target.color_format() == ColorFormat::rgba8) {
         IntN packed = pack_rgba8(color);
@@ -92,7 +92,8 @@ inline void write_pixels(Target& target, const std::array<std::size_t, native_la
 
 /// The same for neighbours in a row, the first of them pixel `first`, all of them pixels of the target.
 template <HasFragment S>
-inline void write_row(Target& target, std::size_t first, std::uint32_t bits, Blend blend, const OutputArray<S, FloatN>& out) {
+inline void write_row(Target& target, std::size_t first, std::uint32_t bits, Blend blend,
+                      const OutputArray<S, FloatN>& out) {
     if (target.color_format() == ColorFormat::rgba8 && (output_count<S> == 4 || target.extra_channels() == 0)) {
         std::uint32_t* const to = target.raw_color8() + first;
         IntN color = pack_rgba8(vec<4, FloatN>(out[0], out[1], out[2], out[3]));
@@ -143,8 +144,8 @@ inline void for_packs(const Target& target, int x, int y, std::uint64_t mask, co
 /// Shades pixels of one triangle in the block that begins at pixel (x, y) of the target; `mask` holds pixels of the target
 /// only. With shade_mixed the place where a draw runs its shader's fragment function.
 template <HasFragment S>
-RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, Blend blend, int x, int y,
-                                std::uint64_t mask) {
+RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, Blend blend,
+                                int x, int y, std::uint64_t mask) {
     // Copies, so that the compiler sees that stores to the target change neither.
     S shader = shader_in;
     ShadingPlanes<S> planes = planes_in;
@@ -185,11 +186,12 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
 /// The same for pixels of several triangles: the pixel of bit i shows the triangle planes[owners[i % 8 + tile_size (i / 8)]].
 /// A pack's lanes may then be of different triangles, however small these are.
 template <HasFragment S>
-RASTER_FLATTEN void shade_mixed(const S& shader_in, const ShadingPlanes<S>* planes, const std::int32_t* owners, Target& target,
-                                int x, int y, std::uint64_t mask) {
+RASTER_FLATTEN void shade_mixed(const S& shader_in, const ShadingPlanes<S>* planes, const std::int32_t* owners,
+                                Target& target, int x, int y, std::uint64_t mask) {
     S shader = shader_in;
     if (!worth_rows(target, x, mask)) {
-        const std::int32_t any_owner = owners[std::countr_zero(mask) / block_size * tile_size + std::countr_zero(mask) % block_size];
+        const std::int32_t any_owner =
+            owners[std::countr_zero(mask) / block_size * tile_size + std::countr_zero(mask) % block_size];
         for_packs(target, x, y, mask, [&](IntN px, IntN py, std::uint32_t bits, const auto& index) {
             IntN which(any_owner);
             for (std::uint32_t rest = bits; rest; rest &= rest - 1) {

@@ -54,7 +54,8 @@ DrawCounts draw_strokes(Target& target, const S& shader, const Mesh<typename S::
     std::vector<DrawCounts> chunk_counts(strokes.size());
     parallel_for(strokes.size(), [&](std::size_t c) {
         for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i)
-            if (const auto stroke = make_stroke<S>(context, i, indices, vertex, chunk_counts[c]); stroke && !stroke->box.empty())
+            if (const auto stroke = make_stroke<S>(context, i, indices, vertex, chunk_counts[c]);
+                stroke && !stroke->box.empty())
                 strokes[c].push_back(*stroke);
     });
     for (const DrawCounts& c : chunk_counts) counts += c;

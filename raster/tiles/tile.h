@@ -83,7 +83,8 @@ inline void load_tile(TileBuffer& tile, const Target& target, int tile_x, int ti
         tile.whole_range = {tile.clear_depth, tile.clear_depth};
         return;
     }
-    const int columns = std::min(tile_size, target.width() - tile.x), rows = std::min(tile_size, target.height() - tile.y);
+    const int columns = std::min(tile_size, target.width() - tile.x),
+              rows = std::min(tile_size, target.height() - tile.y);
     if (columns < tile_size || rows < tile_size) std::memset(tile.depth, 0, sizeof tile.depth);
     std::memset(tile.slot, 0, sizeof tile.slot);
     for (int row = 0; row < rows; ++row)
@@ -99,7 +100,8 @@ inline void load_tile(TileBuffer& tile, const Target& target, int tile_x, int ti
             }
         tile.range[block] = {low.v[0], high.v[0]};
         for (int lane = 1; lane < native_lanes; ++lane)
-            tile.range[block] = {std::min(tile.range[block].min, low.v[lane]), std::max(tile.range[block].max, high.v[lane])};
+            tile.range[block] = {std::min(tile.range[block].min, low.v[lane]),
+                                 std::max(tile.range[block].max, high.v[lane])};
         if (block == 0) tile.whole_range = tile.range[0];
         tile.whole_range = {std::min(tile.whole_range.min, tile.range[block].min),
                             std::max(tile.whole_range.max, tile.range[block].max)};
@@ -111,7 +113,8 @@ inline void store_depth(TileBuffer& tile, Target& target) {
     if (tile.whole) split_tile(tile);
     for (std::uint64_t rest = tile.uniform; rest; rest &= rest - 1)
         expand_block(tile, std::countr_zero(rest), target.depth_format());
-    const int columns = std::min(tile_size, target.width() - tile.x), rows = std::min(tile_size, target.height() - tile.y);
+    const int columns = std::min(tile_size, target.width() - tile.x),
+              rows = std::min(tile_size, target.height() - tile.y);
     for (int row = 0; row < rows; ++row)
         std::memcpy(target.raw_depth() + target.index(tile.x, tile.y + row), tile.depth + row * tile_size,
                     std::size_t(columns) * sizeof(std::int32_t));

@@ -48,7 +48,8 @@ RASTER_FLATTEN inline void shade_pack(const S& shader, std::span<const typename 
     const auto shaded = shade_vertex<S, F>(shader, load_vertices<S, F>(vertices, start));
     Int<F> inside_code = outcode(shaded.clip);
     if (!user.empty())
-        inside_code = inside_code | select(user_outcode(user, shaded.clip) == Int<F>(0), Int<F>(0), Int<F>(user_plane_bit));
+        inside_code =
+            inside_code | select(user_outcode(user, shaded.clip) == Int<F>(0), Int<F>(0), Int<F>(user_plane_bit));
     const Int<F> code = select(is_finite(shaded.clip), inside_code, Int<F>(not_finite_bit));
     WindowVertex<F> window = project(shaded.clip, viewport);
     window.x = select(code == Int<F>(0), window.x, F(std::numeric_limits<float>::quiet_NaN()));

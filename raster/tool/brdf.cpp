@@ -73,8 +73,8 @@ Result<int> run_brdf(const BrdfArguments& a) {
         const auto count = std::min(std::size_t(*a.components), basis.components());
         MeasuredTable few = basis.reconstruct(basis.project(first), count);
         char text[128];
-        std::snprintf(text, sizeof text, ", %zu of %zu components with %.3f of the variance, relative error %.4f", count,
-                      basis.components(), basis.variance(count), relative_error(first, few));
+        std::snprintf(text, sizeof text, ", %zu of %zu components with %.3f of the variance, relative error %.4f",
+                      count, basis.components(), basis.variance(count), relative_error(first, few));
         line += text;
         first = std::move(few);
     }

@@ -127,9 +127,10 @@ Result<int> run_compare(CompareArguments& a) {
 Run add_compare(CLI::App& app) {
     const auto a = std::make_shared<CompareArguments>();
     add_load_flags(app, a->load);
-    add_value(app, "-o,--output", "FILE", a->output, parse_path,
-              "NAME.png writes NAME.raster.png, NAME.opengl.png and NAME.difference.png. [the model's name, in the current"
-              " folder]")
+    add_value(
+        app, "-o,--output", "FILE", a->output, parse_path,
+        "NAME.png writes NAME.raster.png, NAME.opengl.png and NAME.difference.png. [the model's name, in the current"
+        " folder]")
         ->group("Picture");
     add_view_flags(app, a->view);
     add_picture_flags(app, a->picture);

@@ -70,12 +70,14 @@ Result<std::vector<FilePair>> find_pairs(const DiffArguments& a) {
     std::error_code ignored;
     const bool folders = std::filesystem::is_directory(a.expected, ignored);
     if (folders != std::filesystem::is_directory(a.actual, ignored))
-        return Error{ErrorKind::usage, (folders ? a.expected : a.actual) + " is a folder and " + (folders ? a.actual : a.expected) +
+        return Error{ErrorKind::usage, (folders ? a.expected : a.actual) + " is a folder and " +
+                                           (folders ? a.actual : a.expected) +
                                            " is not; compare two files or two folders"};
     if (!folders) {
         // A name that is not there is a mistake of the command line, not a finding.
         for (const std::string& path : {a.expected, a.actual})
-            if (!std::filesystem::exists(path, ignored)) return Error{ErrorKind::input_output, path + ": there is no such file"};
+            if (!std::filesystem::exists(path, ignored))
+                return Error{ErrorKind::input_output, path + ": there is no such file"};
         const std::string name = std::filesystem::path(a.expected).filename().string();
         return std::vector<FilePair>{{name, a.expected, a.expected, a.actual}};
     }
@@ -131,7 +133,8 @@ Run add_diff(CLI::App& app) {
     const auto a = std::make_shared<DiffArguments>();
     Gates& gates = a->options.gates;
     app.add_option("EXPECTED", a->expected, "The picture as it should be, or a folder of such pictures.")->required();
-    app.add_option("ACTUAL", a->actual, "The picture to judge, or a folder; there, files are matched by their names.")->required();
+    app.add_option("ACTUAL", a->actual, "The picture to judge, or a folder; there, files are matched by their names.")
+        ->required();
 
     const char* group = "What may differ (without these: nothing)";
     add_value(app, "--max-delta", "N", gates.max_delta,
@@ -146,8 +149,11 @@ Run add_diff(CLI::App& app) {
               "The mean FLIP error may be X, 0 to 1. Given alone, nothing else is asked.")
         ->group(group);
     group = "What counts";
-    add_values(app, "--ignore", "X,Y,W,H", a->options.ignored, parse_rect, "Ignore a rectangle; may be given again.")->group(group);
-    add_value(app, "--mask", "FILE", a->mask, parse_path, "Compare where this picture is white, ignore where it is black.")->group(group);
+    add_values(app, "--ignore", "X,Y,W,H", a->options.ignored, parse_rect, "Ignore a rectangle; may be given again.")
+        ->group(group);
+    add_value(app, "--mask", "FILE", a->mask, parse_path,
+              "Compare where this picture is white, ignore where it is black.")
+        ->group(group);
     add_value(app, "--pixels-per-degree", "X", a->options.pixels_per_degree,
               [](std::string_view text) { return parse_number_within(text, 5, 500); },
               "How FLIP's viewer sees the picture, 5 to 500; 67 is a wide screen at arm's length.")
@@ -158,7 +164,8 @@ Run add_diff(CLI::App& app) {
               " copy of the actual one (default: diff-out); or NAME.png: the difference alone. When all pass, nothing.")
         ->group(group);
     add_switch(app, "--json", a->json, "Print diff.json instead of text.")->group(group);
-    add_value(app, "--junit", "FILE", a->junit, parse_path, "Write the results as JUnit XML, also when all pass.")->group(group);
+    add_value(app, "--junit", "FILE", a->junit, parse_path, "Write the results as JUnit XML, also when all pass.")
+        ->group(group);
     add_explain_flags(app, a->explain);
     app.footer("All figures are always told: count, max, mean, RMS, PSNR, SSIM, FLIP; and the tightest flags that would pass.\n"
                "Exit codes: 0 same or within the flags, 1 different, 2 trouble.");

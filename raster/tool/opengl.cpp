@@ -217,7 +217,8 @@ void OpenGl::bind_texture(const TextureView& texture, unsigned unit) {
                                       {gl_texture_mag_filter, filter}})
         TexParameteri(gl_texture_2d, name, int(value));
     PixelStorei(gl_unpack_alignment, 1);
-    TexImage2D(gl_texture_2d, 0, int(gl_rgba8), texture.width, texture.height, 0, gl_rgba, gl_unsigned_byte, rows.data());
+    TexImage2D(gl_texture_2d, 0, int(gl_rgba8), texture.width, texture.height, 0, gl_rgba, gl_unsigned_byte,
+               rows.data());
     ActiveTexture(gl_texture0);
 }
 

@@ -185,7 +185,8 @@ float gaussian_constant(double m) {
     constexpr int steps = 4000;
     for (int i = 0; i < steps; ++i) {
         const double alpha = (i + 0.5) / steps * 6 * m;
-        integral += exp(float(-(alpha / m) * (alpha / m))) * sin_cos_degrees(2 * alpha * 57.29577951308232).sin * 6 * m / steps;
+        integral +=
+            exp(float(-(alpha / m) * (alpha / m))) * sin_cos_degrees(2 * alpha * 57.29577951308232).sin * 6 * m / steps;
     }
     return float(1 / integral);
 }
@@ -211,8 +212,9 @@ GlslModel glsl(const TorranceSparrow& m) {
 }
 GlslModel glsl(const CookTorrance& m) {
     const float brightness = m.denominator == CookTorrance::Denominator::pi ? 4.0f : 1.0f;
-    return {std::string(fresnel) + grooves + microfacet,
-            with_fresnel(m.fresnel, of_facets(m.m, m.distribution == CookTorrance::Distribution::beckmann, brightness))};
+    return {
+        std::string(fresnel) + grooves + microfacet,
+        with_fresnel(m.fresnel, of_facets(m.m, m.distribution == CookTorrance::Distribution::beckmann, brightness))};
 }
 GlslModel glsl(const OrenNayar& m) { return {oren_nayar, {{"sigma", m.sigma}}}; }
 GlslModel glsl(const Ward& m) {

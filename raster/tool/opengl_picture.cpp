@@ -89,9 +89,11 @@ std::vector<Corner> corners_of(const PlannedDraw& draw) {
     for (std::size_t primitive = 0; primitive < count / corners_a_primitive; ++primitive) {
         std::array<SurfaceVertex<float>, 3> face;
         for (std::size_t c = 0; c < 3; ++c)
-            face[c] = corners_a_primitive == 3 ? vertex(3 * primitive + c) : mesh.vertices[draw.triangles[3 * primitive + c]];
+            face[c] =
+                corners_a_primitive == 3 ? vertex(3 * primitive + c) : mesh.vertices[draw.triangles[3 * primitive + c]];
         for (std::size_t c = 0; c < corners_a_primitive; ++c) {
-            Corner corner{vertex(primitive * corners_a_primitive + c), {face[0].position, face[1].position, face[2].position}};
+            Corner corner{vertex(primitive * corners_a_primitive + c),
+                          {face[0].position, face[1].position, face[2].position}};
             if (draw.frequency == ShadingFrequency::flat)
                 corner.vertex.color = (face[0].color + face[1].color + face[2].color) / 3.0f;
             corners.push_back(corner);

@@ -13,7 +13,9 @@
 namespace raster::tool {
 namespace {
 
-Error bad_value(std::string_view text, const std::string& what) { return {ErrorKind::usage, in_quotes(text) + " " + what}; }
+Error bad_value(std::string_view text, const std::string& what) {
+    return {ErrorKind::usage, in_quotes(text) + " " + what};
+}
 
 /// `count` numbers between commas.
 Result<std::vector<float>> parse_numbers(std::string_view text) {
@@ -143,7 +145,8 @@ Result<glm::vec4> parse_background(std::string_view text) {
     if (channels.size() == 3) channels.push_back(1.0f);
     const auto beyond = [](float c) { return c < 0 || c > 1; };
     if (channels.size() != 4 || std::ranges::any_of(channels, beyond))
-        return bad_value(text, "is no background: give R,G,B or R,G,B,A from 0 to 1, #RRGGBB, #RRGGBBAA, or transparent");
+        return bad_value(text,
+                         "is no background: give R,G,B or R,G,B,A from 0 to 1, #RRGGBB, #RRGGBBAA, or transparent");
     return glm::vec4(channels[0], channels[1], channels[2], channels[3]);
 }
 

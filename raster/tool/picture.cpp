@@ -117,11 +117,12 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
     shading(app.add_flag("--textures,!--no-textures", o.textures, "Use textures, or not. [--textures]"));
 
     const auto display = [](CLI::Option* option) { option->group("Display"); };
-    display(add_choice(app, "--display", flags.encoding, encodings,
-                       "All light is linear. srgb encodes it for the screen, decodes colour textures, and shows the"
-                       " background as given; plain stores it as it is, clamped at 1, as textbooks do. auto is srgb where"
-                       " a material's reflectance model is physical, and plain where all are lambert, phong or"
-                       " blinn-phong. A .pfm picture is light in any case. [auto]"));
+    display(
+        add_choice(app, "--display", flags.encoding, encodings,
+                   "All light is linear. srgb encodes it for the screen, decodes colour textures, and shows the"
+                   " background as given; plain stores it as it is, clamped at 1, as textbooks do. auto is srgb where"
+                   " a material's reflectance model is physical, and plain where all are lambert, phong or"
+                   " blinn-phong. A .pfm picture is light in any case. [auto]"));
     const auto stops = [](std::string_view text) { return parse_number_within(text, -30.0f, 30.0f); };
     display(add_value(app, "--exposure", "STOPS", flags.exposure, stops,
                       "Doubles the light so many times before it is shown, -30 to 30. [0]"));
@@ -149,8 +150,9 @@ void add_style_flags(CLI::App& app, RenderOptions& options) {
                "What is drawn of the triangles: all of them, their edges, or their corners. What lies behind is seen"
                " through a wireframe; --cull back leaves out the far side of closed models. [surface]")
         ->group(group);
-    add_value(app, "--line-width", "N", options.line_width, [](std::string_view text) { return parse_count(text, 1, 100); },
-              "Of a wireframe, in pixels, 1 to 100. [1]")
+    add_value(
+        app, "--line-width", "N", options.line_width, [](std::string_view text) { return parse_count(text, 1, 100); },
+        "Of a wireframe, in pixels, 1 to 100. [1]")
         ->group(group);
     add_value(app, "--point-size", "N", options.point_size,
               [](std::string_view text) { return parse_number_within(text, 1.0f, 100.0f); },

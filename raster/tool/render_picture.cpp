@@ -73,8 +73,11 @@ public:
         line += outputs.frames > 0 ? " a picture: " : ": ";
         const Style style = job_.options.style;
         line += with_separators(counts_.drawn) +
-                (style == Style::wireframe ? " edges" : style == Style::points ? " corners" : "") + " drawn, " + with_separators(counts_.culled) + " culled, " +
-                with_separators(counts_.outside) + " outside the view";
+                (style == Style::wireframe ? " edges"
+                 : style == Style::points  ? " corners"
+                                           : "") +
+                " drawn, " + with_separators(counts_.culled) + " culled, " + with_separators(counts_.outside) +
+                " outside the view";
         if (counts_.zero_area > 0) line += ", " + with_separators(counts_.zero_area) + " too small for the pixel grid";
         if (counts_.not_finite > 0) line += ", " + with_separators(counts_.not_finite) + " not finite";
         if (outputs.frames > 1) line += " in all";

@@ -116,10 +116,13 @@ const std::vector<LightForm>& light_forms() {
         {"directional",
          LightKind::directional,
          {"dir", "color", "intensity", "diffuse", "specular", "ambient", "space", "units"}},
-        {"point", LightKind::point, {"pos", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space", "units"}},
+        {"point",
+         LightKind::point,
+         {"pos", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space", "units"}},
         {"spot",
          LightKind::spot,
-         {"pos", "dir", "cutoff", "falloff", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space", "units"}},
+         {"pos", "dir", "cutoff", "falloff", "decay", "color", "intensity", "diffuse", "specular", "ambient", "space",
+          "units"}},
     };
     return all;
 }

@@ -47,7 +47,8 @@ Scene textured_scene(std::uint64_t seed) {
     Random random(seed);
     Scene scene = empty_scene(random);
     for (int i = 0; i < 3; ++i) {
-        scene.draws.push_back(make_draw(random_group(random), random, 6, scene.width, scene.height, Coloring::textured));
+        scene.draws.push_back(
+            make_draw(random_group(random), random, 6, scene.width, scene.height, Coloring::textured));
         scene.draws.back().texture = random_texture(random, filter);
         scene.draws.back().state.blend = filter == Filter::nearest ? random_blend(random) : Blend::off;
     }

@@ -167,7 +167,8 @@ void compare_all(const std::vector<ModelScene>& scenes) {
         }
         EXPECT_GT(drawn, std::size_t(width * height / 20)) << s.name;
         EXPECT_GT(between, drawn / 8) << s.name;
-        std::printf("| %s | %zu | %zu | %d/255 |\n", s.name.c_str(), drawn, difference.color_pixels, difference.largest);
+        std::printf("| %s | %zu | %zu | %d/255 |\n", s.name.c_str(), drawn, difference.color_pixels,
+                    difference.largest);
     }
 }
 

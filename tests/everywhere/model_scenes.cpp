@@ -79,7 +79,8 @@ std::vector<Scene> model_scenes() {
                 extra_channels));
         };
         for (const std::string_view model : reflectance_names())
-            with(std::string(model), pot, [=](RenderOptions& options) { options.reflectance = *find_reflectance(model); });
+            with(std::string(model), pot,
+                 [=](RenderOptions& options) { options.reflectance = *find_reflectance(model); });
         with("point_light", pot, [](RenderOptions& options) {
             options.lights = {white(LightKind::point)};
             options.lights[0].attenuation = {0.5f, 0.1f, 0.02f};

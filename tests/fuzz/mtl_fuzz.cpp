@@ -20,7 +20,8 @@ void require_sound(const Material& m) {
         require(is_finite(c.x) && is_finite(c.y) && is_finite(c.z));
     require(is_finite(m.shininess) && m.shininess >= 0);
     require(is_finite(m.index_of_refraction) && m.index_of_refraction >= 0);
-    for (const float f : {m.alpha, m.roughness, m.metallic, m.sheen, m.clearcoat, m.anisotropy}) require(f >= 0 && f <= 1);
+    for (const float f : {m.alpha, m.roughness, m.metallic, m.sheen, m.clearcoat, m.anisotropy})
+        require(f >= 0 && f <= 1);
     require(m.illumination >= 0 && m.illumination <= 10);
 }
 
