@@ -62,12 +62,17 @@ class TileRaster {
 public:
     TileRaster(TileBuffer& tile, const Depth& depth, Sink& sink) : tile_(tile), depth_(depth), sink_(sink) {}
 
+    /// Of the box and the depths alone.
+    bool hides(const TileTriangle& t) const {
+        return t.x0 > t.x1 || t.y0 > t.y1 || none_passes(depth_.compare, t.range, tile_.whole_range);
+    }
+
     void draw(const TileTriangle& t, std::uint32_t chunk) {
-        if (t.x0 > t.x1 || t.y0 > t.y1 || none_passes(depth_.compare, t.range, tile_.whole_range)) return;
+        if (hides(t)) return;
         sink_.begin(t, chunk);
         if (t.covers_tile && depth_.write && Sink::remembers) {
-            const DepthRange incoming = depth_range(depth_.format, t.depth, tile_.x, tile_.y, tile_.x + tile_size - 1,
-                                                    tile_.y + tile_size - 1);
+            const auto incoming = depth_range(depth_.format, t.depth, tile_.x, tile_.y, tile_.x + tile_size - 1,
+                                              tile_.y + tile_size - 1);
             if (all_pass(depth_.compare, incoming, tile_.whole_range)) {
                 tile_.whole_slot = sink_.slot();
                 tile_.whole_range = incoming;
@@ -80,14 +85,15 @@ public:
             draw_small(t);
         } else {
             for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
-                for (int bx = t.x0 / block_size; bx <= t.x1 / block_size; ++bx) draw_block(t, bx, by);
+                for (int bx = 0; bx < blocks_per_row; bx += native_lanes) draw_blocks(t, bx, by);
+            if (depth_.write) measure_tile(tile_);
         }
         sink_.end();
     }
 
     /// A lane of a pack whose pixels are few and already known: take them one by one.
     void draw_dots(const PackSetup& pack, int lane, std::uint32_t entry, std::uint32_t chunk) {
-        const DepthRange incoming{pack.range_min.v[lane], pack.range_max.v[lane]};
+        const DepthRange<float> incoming{pack.range.min.v[lane], pack.range.max.v[lane]};
         if (none_passes(depth_.compare, incoming, tile_.whole_range)) return;
         if (tile_.whole) split_tile(tile_);
         bool begun = false;
@@ -97,7 +103,7 @@ public:
             const int x = pack.x0.v[lane] + (k & 1), y = pack.y0.v[lane] + (k >> 1);
             const int block = y / block_size * blocks_per_row + x / block_size, i = y * tile_size + x;
             if (tile_.uniform >> block & 1) {
-                if (none_passes(depth_.compare, incoming, tile_.range[block])) continue;
+                if (none_passes(depth_.compare, incoming, tile_.block_range(block))) continue;
                 expand_block(tile_, block, depth_.format);
             }
             const std::int32_t depth = pack.dot_depth[std::size_t(k)].v[lane];
@@ -123,10 +129,10 @@ private:
         bool hidden = true;
         for (int by = by0; by <= by1; ++by)
             for (int bx = bx0; bx <= bx1; ++bx)
-                hidden = hidden && none_passes(depth_.compare, t.range, tile_.range[by * blocks_per_row + bx]);
+                hidden = hidden && none_passes(depth_.compare, t.range, tile_.block_range(by * blocks_per_row + bx));
         if (hidden) return;
         for (int by = by0; by <= by1; ++by)
-            for (int bx = bx0; bx <= bx1; ++bx) touch(by * blocks_per_row + bx, t.range);
+            for (int bx = bx0; bx <= bx1; ++bx) make_single(by * blocks_per_row + bx, t.range);
         // Rows begin at the box, and before it only where they would leave the tile.
         const int wide = (t.x1 - t.x0) / native_lanes + 1, left = std::min(t.x0, tile_size - wide * native_lanes);
         for (int column = 0; column < wide; ++column) draw_rows(t, left + column * native_lanes, t.y0, t.y1);
@@ -159,48 +165,60 @@ private:
         return IntN(e.origin) + IntN(e.step_x) * x + IntN(e.step_y) * y;
     }
 
-    /// Keeps the ranges true when some of a block's pixels change.
-    void note_write(int block, DepthRange incoming) {
-        if (!depth_.write) return;
-        tile_.range[block] = merged(depth_.compare, incoming, tile_.range[block]);
-        tile_.whole_range = merged(depth_.compare, incoming, tile_.whole_range);
-    }
-
-    /// Makes a block's pixels single, and its range ready for some of them to change.
-    void touch(int block, DepthRange incoming) {
+    /// Writes a block's pixels out if they are not, and readies its range for some of them to change.
+    void make_single(int block, DepthRange<float> incoming) {
         if (tile_.uniform >> block & 1) expand_block(tile_, block, depth_.format);
         note_write(block, incoming);
     }
 
-    /// Large triangles: reject or accept each block as a whole where edges and depths allow it.
-    void draw_block(const TileTriangle& t, int bx, int by) {
-        const int x = bx * block_size, y = by * block_size, block = by * blocks_per_row + bx;
-        bool full = true;
-        std::int32_t origin[3];
-        for (std::size_t i = 0; i < 3; ++i) {
-            const TileEdge& e = t.edges[i];
-            constexpr int last = block_size - 1;
-            origin[i] = e.origin + e.step_x * x + e.step_y * y;
+    /// Keeps the ranges true when some of a block's pixels change.
+    void note_write(int block, DepthRange<float> incoming) {
+        if (!depth_.write) return;
+        tile_.set_block_range(block, merged(depth_.compare, incoming, tile_.block_range(block)));
+        tile_.whole_range = merged(depth_.compare, incoming, tile_.whole_range);
+    }
+
+    /// Large triangles: lanes<FloatN> blocks beside each other at once, each rejected or accepted as a whole where edges and
+    /// depths allow it.
+    void draw_blocks(const TileTriangle& t, int bx, int by) {
+        constexpr int last = block_size - 1;
+        const int y = by * block_size, first = by * blocks_per_row + bx;
+        const IntN column = IntN(bx) + lane_index<FloatN>(), x = column * IntN(block_size);
+        MaskN touched = (column >= IntN(t.x0 / block_size)) & (column <= IntN(t.x1 / block_size)), full(true);
+        for (const TileEdge& e : t.edges) {
+            const IntN corner = IntN(e.origin + e.step_y * y) + IntN(e.step_x) * x;
             const std::int32_t across = e.step_x * last, down = e.step_y * last;
-            if (origin[i] + std::max(across, 0) + std::max(down, 0) < 0) return;
-            full = full && origin[i] + std::min(across, 0) + std::min(down, 0) >= 0;
+            touched = touched & (corner + IntN(std::max(across, 0) + std::max(down, 0)) >= IntN(0));
+            full = full & (corner + IntN(std::min(across, 0) + std::min(down, 0)) >= IntN(0));
         }
-        const int px = tile_.x + x, py = tile_.y + y;
-        const DepthRange incoming =
-            depth_range(depth_.format, t.depth, px, py, px + block_size - 1, py + block_size - 1);
-        if (none_passes(depth_.compare, incoming, tile_.range[block])) return;
-        const bool all = full && all_pass(depth_.compare, incoming, tile_.range[block]);
-        if (all && depth_.write) {
-            tile_.range[block] = incoming;
-            tile_.whole_range = merged(depth_.compare, incoming, tile_.whole_range);
-            tile_.block_slot[block] = sink_.slot();
-            tile_.uniform |= std::uint64_t(1) << block;
-            if constexpr (!Sink::remembers) sink_.block(x, y);
-            return;
+        const DepthPlane<FloatN> plane{{t.depth.origin, t.depth.dadx, t.depth.dady}, t.depth.offset};
+        const DepthRange<FloatN> incoming =
+            depth_range<FloatN>(depth_.format, plane, to_float(IntN(tile_.x) + x), FloatN(float(tile_.y + y)),
+                                to_float(IntN(tile_.x + last) + x), FloatN(float(tile_.y + y + last)));
+        const DepthRange<FloatN> stored{load_int<FloatN>(tile_.block_min + first),
+                                        load_int<FloatN>(tile_.block_max + first)};
+        touched = touched & !none_passes(depth_.compare, incoming, stored);
+        std::uint32_t rest = bitmask(touched);
+        if (rest == 0) return;
+        if (depth_.write) {
+            const MaskN replaced = touched & full & all_pass(depth_.compare, incoming, stored);
+            if (const std::uint32_t bits = bitmask(replaced)) {
+                store_int(tile_.block_min + first, select(replaced, incoming.min, stored.min));
+                store_int(tile_.block_max + first, select(replaced, incoming.max, stored.max));
+                std::int32_t* const slots = tile_.block_slot + first;
+                store_int(slots, select(replaced, IntN(sink_.slot()), load_int<FloatN>(slots)));
+                tile_.uniform |= std::uint64_t(bits) << first;
+                if constexpr (!Sink::remembers)
+                    for (std::uint32_t b = bits; b; b &= b - 1) sink_.block((bx + std::countr_zero(b)) * block_size, y);
+                rest &= ~bits;
+            }
         }
-        touch(block, incoming);
-        for (int column = 0; column < block_size; column += native_lanes)
-            draw_rows(t, x + column, y, y + block_size - 1);
+        for (; rest; rest &= rest - 1) {
+            const int block = first + std::countr_zero(rest);
+            if (tile_.uniform >> block & 1) expand_block(tile_, block, depth_.format);
+            for (int c = 0; c < block_size; c += native_lanes) draw_rows(t, block_x(block) + c, y, y + last);
+            if (depth_.write) measure_block(tile_, block);
+        }
     }
 
     TileBuffer& tile_;
@@ -244,7 +262,10 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
         for (std::size_t lane = 0; lane < some.size(); ++lane) {
             const auto [chunk, entry] = some[lane];
             if (large >> lane & 1) {
-                TileTriangle t = place_large(chunks[chunk].large[entry & ~large_bit], depth.format, tile.x, tile.y);
+                const LargeTriangle& in_target = chunks[chunk].large[entry & ~large_bit];
+                TileTriangle t = box_of_large(in_target, depth.format, tile.x, tile.y);
+                if (raster.hides(t)) continue;
+                place_edges(in_target, tile.x, tile.y, t);
                 t.entry = entry;
                 raster.draw(t, chunk);
             } else if (pack.dots >> lane & 1) {

@@ -19,24 +19,30 @@ struct TileEdge {
 struct TileTriangle {
     std::array<TileEdge, 3> edges;
     DepthPlane<float> depth;
-    DepthRange range;    ///< of the depths in its box
+    DepthRange<float> range;  ///< of the depths in its box
     int x0, y0, x1, y1;  ///< its pixels in the tile, ends included; none when x0 > x1
     std::uint32_t entry;
     bool front_facing;
     bool covers_tile;    ///< no edge crosses the tile
 };
 
-/// A large triangle in a tile, from exact 64-bit edges.
-inline TileTriangle place_large(const LargeTriangle& large, DepthFormat format, int tile_x, int tile_y) {
+/// What of a large triangle is enough to say that it is hidden in a tile: all but its edges.
+inline TileTriangle box_of_large(const LargeTriangle& large, DepthFormat format, int tile_x, int tile_y) {
     const TriangleSetup& setup = large.setup;
     TileTriangle t;
     t.depth = setup.depth;
     t.front_facing = large.front_facing;
-    t.covers_tile = true;
     t.x0 = std::max(setup.box.min_x - tile_x, 0), t.x1 = std::min(setup.box.max_x - tile_x, tile_size - 1);
     t.y0 = std::max(setup.box.min_y - tile_y, 0), t.y1 = std::min(setup.box.max_y - tile_y, tile_size - 1);
+    t.range = depth_range(format, t.depth, tile_x + t.x0, tile_y + t.y0, tile_x + t.x1, tile_y + t.y1);
+    return t;
+}
+
+/// Its edges in the tile, from exact 64-bit ones.
+inline void place_edges(const LargeTriangle& large, int tile_x, int tile_y, TileTriangle& t) {
+    t.covers_tile = true;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Edge<float>& e = setup.edges[i];
+        const Edge<float>& e = large.setup.edges[i];
         const std::int64_t origin =
             pixel_origin(e) + std::int64_t(e.step_x) * tile_x + std::int64_t(e.step_y) * tile_y;
         const std::int64_t across = std::int64_t(e.step_x) * (tile_size - 1),
@@ -50,8 +56,6 @@ inline TileTriangle place_large(const LargeTriangle& large, DepthFormat format, 
         t.edges[i] = crosses ? TileEdge{std::int32_t(origin), e.step_x, e.step_y} : TileEdge{0, 0, 0};
         t.covers_tile = t.covers_tile && low >= 0;
     }
-    t.range = depth_range(format, t.depth, tile_x + t.x0, tile_y + t.y0, tile_x + t.x1, tile_y + t.y1);
-    return t;
 }
 
 /// lanes<FloatN> triangles, each no larger than a tile, set up at once: the same stage functions over lanes, with positions
@@ -64,7 +68,7 @@ struct PackSetup {
     std::array<Edge<FloatN>, 3> edges;
     std::array<IntN, 3> origins;  ///< pixel_origin of the edges
     DepthPlane<FloatN> depth;
-    IntN range_min, range_max;
+    DepthRange<FloatN> range;
     IntN covered;                   ///< bit 0: pixel (x0, y0), bit 1: one to the right, bits 2 and 3: the row below
     std::array<IntN, 4> dot_depth;  ///< encoded, of those pixels
 
@@ -74,7 +78,7 @@ struct PackSetup {
         for (std::size_t i = 0; i < 3; ++i)
             t.edges[i] = {origins[i].v[lane], edges[i].step_x.v[lane], edges[i].step_y.v[lane]};
         t.depth = {{depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]}, depth.offset.v[lane]};
-        t.range = {range_min.v[lane], range_max.v[lane]};
+        t.range = {range.min.v[lane], range.max.v[lane]};
         t.x0 = x0.v[lane], t.y0 = y0.v[lane], t.x1 = x1.v[lane], t.y1 = y1.v[lane];
         t.front_facing = front_facing >> lane & 1;
         t.covers_tile = false;
@@ -105,9 +109,8 @@ inline void set_up_pack(PackSetup& r, const float* windows, const std::array<Int
     r.x1 = min(box.last_x(), IntN(std::min(tile_size, width - tile_x) - 1));
     r.y1 = min(box.last_y(), IntN(std::min(tile_size, height - tile_y) - 1));
     const auto absolute = [](int tile, IntN i) { return to_float(IntN(tile) + i); };
-    const auto [low, high] = depth_extremes(format, r.depth, absolute(tile_x, r.x0), absolute(tile_y, r.y0),
-                                            absolute(tile_x, r.x1), absolute(tile_y, r.y1));
-    r.range_min = low, r.range_max = high;
+    r.range = depth_range(format, r.depth, absolute(tile_x, r.x0), absolute(tile_y, r.y0), absolute(tile_x, r.x1),
+                          absolute(tile_y, r.y1));
 
     const IntN columns = r.x1 - r.x0, rows = r.y1 - r.y0;
     r.dots = bitmask((columns <= IntN(1)) & (rows <= IntN(1)));
