@@ -1,6 +1,6 @@
 // Substances by name, and the physically based keys of MTL files.
 #include <gtest/gtest.h>
-#include <raster/scene/specular_color.h>
+#include <raster/scene/material_model.h>
 #include <raster/shading/materials.h>
 #include <raster/shading/models.h>
 

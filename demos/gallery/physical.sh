@@ -62,8 +62,13 @@ figure R6 "He-Torrance: from a mirror to matt" \
 picture he_torrance 900x220 "Facet slope 0.05, 0.1, 0.2, 0.3, 0.4" $scenes/he_torrance.json
 
 figure R7 "Anisotropy: brushed metal, satin, velvet" \
-    "Where a surface has a grain, its highlight turns with it. Each pair is one cylinder, upright and turned by 90 degrees under the same light; the grain runs upwards in both. Velvet has upright fibres and is bright at its outline from all sides."
+    "Where a surface has a grain, its highlight turns with it. Each pair is one cylinder, upright and turned by 90 degrees under the same light, with a grain that runs along its axis: the highlight is long across the grain, whichever way the cylinder lies. MTL's anisor turns the grain on the surface. Velvet has upright fibres and is bright at its outline from all sides."
 picture cylinders 960x210 "Brushed aluminium, satin, velvet: upright and turned" $scenes/cylinders.json
+picture grain 640x190 "The same cylinder with its grain turned by 0, 45, 90 and 135 degrees" $scenes/grain.json
+
+figure R7 "Layers: varnish and fibres" \
+    "Many surfaces are two: paint below varnish, cloth with fine fibres that stand off. A layer reflects first, and what is below it gets the rest, once on the way in and once on the way out: varnished clay is darker where the varnish mirrors, most of all at the outline. Varnish is colourless, so that its highlight on copper is white; fibres glow where one looks along the surface. These are the keys Pc, Pcr and Ps of MTL files."
+picture layers 960x190 "Red clay: bare, under smooth and rough varnish, under fibres; rough copper: bare, under varnish" $scenes/layers.json
 
 figure R8 "Measured surfaces: tables" \
     "Who does not trust a formula measures: a table has what a surface reflects for 90 half angles, 90 difference angles and 180 of their azimuths, times three colours, 4,374,000 numbers. The public MERL database has a hundred such files of real nickel, paint and felt; they are not in this tree, so the tables here are baked, in the same layout, of models that look like three of them, and read back as a downloaded file would be. The curves are what the tables give (points) beside the models that they were made of (lines), light from 45 degrees."

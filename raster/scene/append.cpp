@@ -57,6 +57,9 @@ Status append(Model& into, const Model& model, const glm::mat4& into_from_model)
         for (int* texture : {&material.ambient_texture, &material.diffuse_texture, &material.specular_texture,
                              &material.emission_texture, &material.alpha_texture})
             if (*texture >= 0) *texture += first_texture;
+        const glm::dvec3 grain = glm::dmat3(glm::mat3(into_from_model)) * glm::dvec3(material.grain);
+        const double length = std::sqrt(glm::dot(grain, grain));
+        if (length > 0 && std::isfinite(length)) material.grain = glm::vec3(grain / length);
         into.materials.push_back(std::move(material));
     }
     into.textures.insert(into.textures.end(), model.textures.begin(), model.textures.end());

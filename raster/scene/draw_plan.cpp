@@ -1,13 +1,14 @@
 // draw_plan.cpp: from materials, textures, lights and camera to the uniforms and states of draw calls.
 #include <raster/scene/draw_plan.h>
 
-#include <raster/scene/specular_color.h>
+#include <raster/scene/material_model.h>
 
 #include <algorithm>
 #include <numeric>
 
 #include <raster/scene/outline.h>
 #include <raster/scene/transform.h>
+#include <raster/shading/albedo.h>
 #include <raster/shading/materials.h>
 
 namespace raster {
@@ -69,7 +70,6 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& material) const {
     s.ambient_is_diffuse = options_.ambient_color == AmbientColor::diffuse && !is_metal;
     s.ambient = s.ambient_is_diffuse ? glm::vec3(1.0f) : is_metal ? m.diffuse + metal_ambient(m) : m.ambient;
     s.diffuse = m.diffuse;
-    s.specular = m.specular;
     s.emission = m.emission;
     if (options_.blend) s.alpha = m.alpha;
     s.ambient_texture = view(m.ambient_texture, m, true);
@@ -87,13 +87,15 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& material) const {
         s.emission_texture = s.diffuse_texture;
         s.diffuse = s.ambient = glm::vec3(0.0f);
     }
-    if (m.illumination < 2) s.specular = glm::vec3(0.0f);
 
     const std::optional<AnyReflectance> own = find_reflectance(m.reflectance);
     AnyReflectance reflectance = own.value_or(options_.reflectance);
     if (own || options_.reflectance_from_material) reflectance = RuntimeModel{reflectance}.with_material(m).model;
-    if (m.illumination >= 2) s.specular = specular_color(m, reflectance);
-    return {s, reflectance, s.alpha < 1.0f || s.alpha_texture};
+    if (!is_metal) s.ambient *= own_color(reflectance);
+    const MaterialModel finished = finish(m, reflectance);
+    s.specular = finished.specular;
+    const SinCos turn = sin_cos_degrees(360.0 * double(m.anisotropy_rotation));
+    return {s, finished.reflectance, s.alpha < 1.0f || s.alpha_texture, m.grain, {turn.cos, turn.sin}};
 }
 
 State DrawPlan::state_for(const Run& run) const {
@@ -131,6 +133,8 @@ DrawPlan::SortedTriangles DrawPlan::sort(std::span<const Run> runs, const glm::m
 void DrawPlan::emit(PlannedDraw& draw, const Run& run, const std::function<void(const PlannedDraw&)>& visit) const {
     const PreparedMaterial& material = materials_[run.material];
     draw.uniforms.material = material.surface;
+    draw.uniforms.grain_eye = glm::mat3(draw.uniforms.eye_from_object) * material.grain_object;
+    draw.uniforms.grain_turn = material.grain_turn;
     draw.reflectance = material.reflectance;
     draw.state = state_for(run);
     // A vertex does not know its side, so Gouraud's plain shader has one only.
@@ -193,7 +197,6 @@ void DrawPlan::for_each(const CameraMatrices& camera, const std::function<void(c
     u.world_from_eye = glm::transpose(glm::mat3(camera.eye_from_world));
     u.ambient = lighting.ambient;
     u.lights = lighting.lights;
-    u.grain_eye = glm::mat3(camera.eye_from_world) * options_.grain_world;
     u.two_sided = options_.two_sided;
     if (camera.clip_from_eye[2][3] == 0.0f) u.viewer_eye = {0, 0, 1, 0};  // w does not depend on z: no perspective
 

@@ -39,6 +39,8 @@ private:
         SurfaceMaterial surface;
         AnyReflectance reflectance;
         bool transparent;
+        glm::vec3 grain_object;
+        glm::vec2 grain_turn;  ///< cosine and sine
     };
     /// Neighbouring triangles of one material.
     struct Run {

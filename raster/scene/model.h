@@ -47,6 +47,7 @@ struct Material {
     float clearcoat_roughness = 0;  ///< Pcr
     float anisotropy = 0;           ///< aniso: 0 is a round highlight, 1 a long one
     float anisotropy_rotation = 0;  ///< anisor: of the grain, 0 to 1 is a whole turn
+    glm::vec3 grain{0, 1, 0};       ///< the direction of brush marks, object space, laid onto the surface
     bool physically_based = false;  ///< one of Pr ... anisor is given
     glm::vec3 refractive_index{0};  ///< n for each channel; 0: Ni for all, or the model's own
     glm::vec3 extinction{0};        ///< k for each channel, with n: above 0 for metals

@@ -178,8 +178,6 @@ private:
         float& value = current_->material.*row.value;
         if (!take_number(text, key, value)) return;
         value = std::clamp(value, row.low, row.high);
-        const bool drawn = key != "Ps" && key != "Pc" && key != "Pcr" && key != "anisor";
-        if (!drawn && value != 0.0f) log_.note(at_, std::string(key) + " is read and not drawn");
     }
 
     void read_color(std::string_view text, std::string_view key, glm::vec3& color) {

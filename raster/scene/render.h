@@ -65,7 +65,6 @@ struct RenderOptions {
     FillRule fill_rule = FillRule::bottom_left;
     glm::vec4 background{0.2f, 0.2f, 0.2f, 1.0f};
     glm::mat4 world_from_object{1.0f};
-    glm::vec3 grain_world{0.0f, 1.0f, 0.0f};  ///< the direction of brush marks, for anisotropic reflectance
 };
 
 /// Clears the target to the background and draws the model, part by part with its material. A target with extra

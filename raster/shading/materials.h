@@ -18,8 +18,8 @@ std::optional<Material> find_material(std::string_view name);
 
 /// A material that has the physically based keys (Pr, Pm, ...), and no reflectance model of its own, in the terms of this
 /// library's models: the roughness Pr becomes facets of the slope Pr^2, the share Pm of Kd the colour of a metal's
-/// reflection and the rest diffuse; with `aniso` Ward's model. Any other material comes back as it is. Sheen and
-/// clearcoat are left out.
+/// reflection and the rest diffuse; with `aniso` Ward's model. Any other material comes back as it is. Layers on top are
+/// those of scene/material_model.h.
 Material physically_based(const Material& material);
 
 /// What a metal reflects of light from everywhere: its specular colour times the reflectance at normal incidence (Cook

@@ -37,6 +37,7 @@ inline HalfDifference<F> half_difference(const Frame<F>& frame, const vec<3, F>&
 struct Measured {
     static constexpr std::string_view name = "measured";
     static constexpr bool needs_data = true;
+    static constexpr bool has_own_color = true;
 
     std::shared_ptr<const MeasuredTable> table;
 

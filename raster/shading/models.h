@@ -11,6 +11,7 @@
 #include <raster/shading/cook_torrance.h>
 #include <raster/shading/he_torrance.h>
 #include <raster/shading/lambert.h>
+#include <raster/shading/layered.h>
 #include <raster/shading/measured.h>
 #include <raster/shading/oren_nayar.h>
 #include <raster/shading/phong.h>
@@ -33,7 +34,8 @@ using AnyReflectance = std::variant<  //
     Ward,                             //
     Velvet,                           //
     Subsurface,                       //
-    Measured>;
+    Measured,                         //
+    Layered>;
 
 /// A reflectance model that is chosen while running: a call an evaluation instead of a specialised shader. It serves
 /// where shading is rare (vertices, faces) and where a model is so much work that the call does not count; compiled in
@@ -44,7 +46,7 @@ struct RuntimeModel {
     AnyReflectance model;
 
     bool reads_tangents() const {
-        return std::visit([]<class M>(const M&) { return is_anisotropic<M>(); }, model);
+        return std::visit([](const auto& m) { return raster::reads_tangents(m); }, model);
     }
     RuntimeModel with_material(const Material& material) const {
         return {std::visit([&](const auto& m) { return AnyReflectance(m.with_material(material)); }, model)};
@@ -54,6 +56,12 @@ struct RuntimeModel {
         return std::visit([&](const auto& m) { return m.evaluate(frame, l); }, model);
     }
 };
+
+template <class F>
+inline Reflectance<F> evaluate_base(const RuntimeModel& base, const Frame<F>& frame, const vec<3, F>& l) {
+    return base.evaluate(frame, l);
+}
+inline bool Layered::reads_tangents() const { return base && base->reads_tangents(); }
 
 extern template Reflectance<float> RuntimeModel::evaluate(const Frame<float>&, const vec<3, float>&) const;
 extern template Reflectance<FloatN> RuntimeModel::evaluate(const Frame<FloatN>&, const vec<3, FloatN>&) const;

@@ -41,6 +41,8 @@ struct Reflectance {
 ///         static constexpr bool specialised = true;                // optional: a pixel shader of its own, inlined; for
 ///                                                                  // models that cost less than a call
 ///         static constexpr bool needs_data = true;                 // optional: black without what a material brings
+///         static constexpr bool has_own_color = true;              // optional: the diffuse part's colour is its own,
+///                                                                  // kd being white as a rule
 ///         static auto forms();                                     // optional: a std::array of NamedForm<Lambert>
 ///         float exponent = 32;                                     // parameters are members
 ///         Lambert with_material(const Material& material) const;   // a copy with what an MTL file says of them
@@ -104,6 +106,16 @@ constexpr bool needs_data() {
     }
 }
 
+/// Whether a model's diffuse part has a colour besides kd.
+template <class M>
+constexpr bool has_own_color() {
+    if constexpr (requires { M::has_own_color; }) {
+        return M::has_own_color;
+    } else {
+        return false;
+    }
+}
+
 /// v / |v|. The zero vector stays zero, so no NaN comes of it.
 template <class F>
 inline vec<3, F> normalize_or_zero(const vec<3, F>& v) {
@@ -116,6 +128,13 @@ template <class F>
 inline Frame<F> make_frame(const vec<3, F>& n, const vec<3, F>& v, const vec<3, F>& grain) {
     vec<3, F> t = normalize_or_zero(grain - n * glm::dot(n, grain));
     return {n, v, t, glm::cross(n, t)};
+}
+
+/// The frame with its tangents turned about the normal, counter-clockwise seen from the normal's tip, by the angle with
+/// this cosine and sine.
+template <class F>
+inline Frame<F> turned(const Frame<F>& frame, float cosine, float sine) {
+    return {frame.n, frame.v, frame.t * F(cosine) + frame.b * F(sine), frame.b * F(cosine) - frame.t * F(sine)};
 }
 
 /// The same value in three channels.

@@ -11,6 +11,7 @@ namespace raster {
 /// passes the boundary, in and out.
 struct Subsurface {
     static constexpr std::string_view name = "subsurface";
+    static constexpr bool has_own_color = true;
 
     glm::vec3 scattering{2.19f, 2.62f, 3.00f};        ///< reduced, sigma_s' in 1/mm, 0 and up; here that of marble
     glm::vec3 absorption{0.0021f, 0.0041f, 0.0071f};  ///< sigma_a in 1/mm, 0 and up

@@ -27,6 +27,7 @@ struct ShadingUniforms {
     std::span<const EyeLight> lights;
     SurfaceMaterial material;
     glm::vec3 grain_eye{1.0f, 0.0f, 0.0f};           ///< direction of brush marks, for anisotropic models
+    glm::vec2 grain_turn{1.0f, 0.0f};                ///< cosine and sine of the angle that it is turned by on the surface
     bool two_sided = false;  ///< turn the normal of back faces round, else light them as they are
     glm::vec4 viewer_eye{0.0f, 0, 0, 1};             ///< homogeneous: the origin, or (0, 0, 1, 0) without perspective
     std::span<const std::int32_t> triangle_numbers;  ///< in the model, of this draw's triangles; when empty they are
@@ -44,7 +45,8 @@ template <class Model, class F>
 inline Frame<F> frame_at(const ShadingUniforms& u, const Model& model, const vec<3, F>& normal_eye,
                          const vec<3, F>& position_eye) {
     vec<3, F> v = to_viewer(u, position_eye);
-    if (reads_tangents(model)) return make_frame(normal_eye, v, vec<3, F>(u.grain_eye));
+    if (reads_tangents(model))
+        return turned(make_frame(normal_eye, v, vec<3, F>(u.grain_eye)), u.grain_turn.x, u.grain_turn.y);
     return {normal_eye, v, vec<3, F>(F(0)), vec<3, F>(F(0))};
 }
 

@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include <raster/image/file.h>
-#include <raster/scene/specular_color.h>
+#include <raster/scene/material_model.h>
 #include <raster/shading/materials.h>
 #include <raster/shading/measured_bake.h>
 
@@ -50,10 +50,13 @@ Result<MeasuredTable> table_of(const std::string& text, const MeasuredSize& size
     material = physically_based(material);
     const AnyReflectance asked = find_reflectance(material.reflectance).value_or(BlinnPhong{});
     const AnyReflectance model = RuntimeModel{asked}.with_material(material).model;
-    return bake_measured(model, material.diffuse, specular_color(material, model), size);
+    const MaterialModel finished = finish(material, model);
+    return bake_measured(finished.reflectance, material.diffuse, finished.specular, size);
 }
 
 Result<int> run_brdf(const BrdfArguments& a) {
+    if (!a.components && a.materials.size() > 1)
+        return Error{ErrorKind::usage, in_quotes(a.materials[1]) + " is one material too many without --components"};
     if (a.output.empty()) return Error{ErrorKind::usage, "--output is required: the table's file"};
     if (const Status status = check_writable(a.output); !status) return status.error();
     std::vector<MeasuredTable> tables;
@@ -63,7 +66,6 @@ Result<int> run_brdf(const BrdfArguments& a) {
         if (!tables.empty() && table->size != tables[0].size)
             return Error{ErrorKind::usage, in_quotes(material) + " has another size than " + in_quotes(a.materials[0])};
         tables.push_back(std::move(*table));
-        if (!a.components) break;
     }
     MeasuredTable& first = tables[0];
     std::string line = a.output + ": " + std::to_string(first.size.theta_h) + "x" + std::to_string(first.size.theta_d) +
@@ -88,8 +90,8 @@ Result<int> run_brdf(const BrdfArguments& a) {
 Run add_brdf(CLI::App& app) {
     const auto a = std::make_shared<BrdfArguments>();
     app.add_option("MATERIAL", a->materials,
-                   "A material as --material of `raster render` takes it, or the .binary file of a table. The first is"
-                   " written.")
+                   "A material as --material of `raster render` takes it, or the .binary file of a table. With"
+                   " --components several, of which the first is written.")
         ->required()
         ->group("Arguments");
     add_value(app, "-o,--output", "FILE", a->output, parse_path,

@@ -177,6 +177,37 @@ void reflect_light(vec3 n, vec3 v, vec3 t, vec3 b, vec3 l, out vec3 diffuse, out
 }
 )";
 
+// Fibres and varnish over reflect_base. n = 1.5; Beckmann's facets.
+const char* const layers = R"(
+uniform vec3 base_specular;
+uniform float fibres, varnish, varnish_slope;
+float taken(float c) {
+    float s = sqrt(c);
+    return fibres * (0.985 - 0.961 * s - 0.502 * c + 0.524 * c * s);
+}
+float varnished(float c) {
+    float inside = sqrt(1.0 - (1.0 - c * c) / 2.25);
+    float s = (c - 1.5 * inside) / (c + 1.5 * inside), p = (1.5 * c - inside) / (1.5 * c + inside);
+    return varnish * 0.5 * (s * s + p * p);
+}
+void reflect_light(vec3 n, vec3 v, vec3 t, vec3 b, vec3 l, out vec3 diffuse, out vec3 specular) {
+    reflect_base(n, v, t, b, l, diffuse, specular);
+    vec3 h = normalize(l + v);
+    float n_l = dot(n, l), n_v = dot(n, v), n_h = dot(n, h), v_h = dot(v, h), seen = max(n_v, 0.0);
+    float glow = 0.0, gloss = 0.0;
+    if (n_v > 0.0) {
+        float tan2 = (1.0 - n_h * n_h) / (n_h * n_h), d = exp(-tan2 / (varnish_slope * varnish_slope));
+        d /= varnish_slope * varnish_slope * pow(n_h, 4.0);
+        glow = fibres * 0.75 * pow(1.0 - n_h * n_h, 2.0) * n_l / (n_l + n_v - n_l * n_v);
+        gloss = varnished(v_h) * d * min(1.0, min(2.0 * n_h * n_v / v_h, 2.0 * n_h * n_l / v_h)) / (4.0 * n_v);
+    }
+    float below_fibres = (1.0 - taken(n_l)) * (1.0 - taken(seen));
+    float below_varnish = (1.0 - varnished(n_l)) * (1.0 - varnished(seen));
+    diffuse *= below_fibres * below_varnish;
+    specular = (specular * base_specular * below_fibres + glow) * below_varnish + gloss;
+}
+)";
+
 using Uniforms = std::vector<std::pair<std::string, std::variant<float, glm::vec3>>>;
 
 /// c of the Gaussian distribution, by numbers: its projected facets add up to pi, those beyond 90 degrees too.
@@ -233,6 +264,17 @@ GlslModel glsl(const HeTorrance& m) {
     return {std::string(fresnel) + he_torrance,
             with_fresnel(m.fresnel, {{"sigma", m.sigma}, {"tau", m.tau}, {"wavelength", m.wavelength},
                                      {"cos_source", float(sin_cos_degrees(double(m.source_degrees)).cos)}})};
+}
+
+std::optional<GlslModel> glsl(const Layered& m) {
+    std::optional<GlslModel> model = reflectance_in_glsl(m.base->model);
+    if (!model) return model;
+    model->source = "#define reflect_light reflect_base\n" + model->source + "#undef reflect_light\n" + layers;
+    model->uniforms.insert(model->uniforms.end(), {{"base_specular", m.base_specular},
+                                                   {"fibres", m.sheen.strength},
+                                                   {"varnish", m.coat.strength},
+                                                   {"varnish_slope", m.coat.m}});
+    return model;
 }
 
 }  // namespace

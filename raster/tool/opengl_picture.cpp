@@ -45,6 +45,8 @@ void set_uniforms(OpenGl& gl, const UniformSetter& to, const PlannedDraw& draw) 
     to.set("two_sided", int(u.two_sided));
     to.set("frequency", int(draw.frequency));
     to.set("grain", u.grain_eye);
+    to.set("grain_cosine", u.grain_turn.x);
+    to.set("grain_sine", u.grain_turn.y);
     to.set("light_ambient", u.ambient);
     to.set("light_count", int(u.lights.size()));
     for (std::size_t i = 0; i < u.lights.size(); ++i) {

@@ -15,9 +15,12 @@ uniform Light lights[8];
 uniform int light_count;
 uniform vec4 viewer;
 uniform vec3 grain;
+uniform float grain_cosine, grain_sine;
 
 void illuminate(vec3 n, vec3 p, out vec3 diffuse, out vec3 specular) {
-    vec3 v = normalize(viewer.xyz - p * viewer.w), t = normalize(grain - n * dot(n, grain)), b = cross(n, t);
+    vec3 v = normalize(viewer.xyz - p * viewer.w), t = normalize(grain - n * dot(n, grain));
+    t = t * grain_cosine + cross(n, t) * grain_sine;
+    vec3 b = cross(n, t);
     diffuse = specular = vec3(0.0);
     for (int i = 0; i < light_count; ++i) {
         vec3 l = -lights[i].direction;

@@ -57,8 +57,9 @@ public:
 
     Result<Model> load() {
         const JsonNode* objects = document_.root.find("objects");
-        if (!objects || !objects->is(Kind::array) || objects->items.empty())
-            return document_.error_at(objects ? *objects : document_.root, "\"objects\" is no list of objects");
+        if (!objects) return at(document_.root, "a scene has \"objects\", a list");
+        if (!objects->is(Kind::array)) return at(*objects, "\"objects\" is no list of objects");
+        if (objects->items.empty()) return at(*objects, "there is no object in \"objects\"");
         if (const Status status = read_materials(); !status) return status.error();
         count_ = objects->items.size();
         for (const JsonNode& object : objects->items) {
@@ -87,7 +88,9 @@ private:
         if (node.is(Kind::text))
             if (const auto named = materials_.find(node.text); named != materials_.end()) return named->second;
         const auto find = [&](const std::string& name) { return find_file(name); };
-        const auto parse = [&](std::string_view text) { return parse_material_finding(text, find); };
+        std::vector<std::string> own_names;
+        for (const auto& material : materials_) own_names.push_back(material.first);
+        const auto parse = [&](std::string_view text) { return parse_material_finding(text, find, own_names); };
         return read_spec(document_, node, "name", parse);
     }
 

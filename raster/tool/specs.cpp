@@ -35,8 +35,10 @@ std::string material_help() {
            "Keys: color=COLOR (diffuse, without its texture, and ambient), ambient, diffuse, specular, emission=COLOR;"
            " shininess=N (the highlight's exponent, 0 to 1000); alpha=N (0 to 1, 1 is opaque); reflectance=NAME, as"
            " --reflectance, for these materials; for models that read them: roughness=N (0 to 1; a facet slope, oren-nayar's"
-           " sigma in radians), ior=N (index of refraction, 1 to 4), anisotropy=N (0 to 1); metallic=N (0 to 1), as MTL's"
-           " Pm: with it roughness is Pr, and the color that of the metal; brdf=FILE, a measured BRDF in the MERL layout.";
+           " sigma in radians), ior=N (index of refraction, 1 to 4), anisotropy=N (0 to 1),"
+           " anisotropy_rotation=N (of the grain, 0 to 1 is a whole turn); metallic=N (0 to 1), as MTL's Pm: with it"
+           " roughness is Pr, and the color that of the metal; layers on top, each 0 to 1: sheen=N, fine fibres; clearcoat=N,"
+           " varnish, and clearcoat_roughness=N, its slope's square root; brdf=FILE, a measured BRDF in the MERL layout.";
 }
 
 namespace {
@@ -44,6 +46,7 @@ namespace {
 /// A key's value through its parser into its place; an error that names the key.
 template <class T, class Parsed>
 Status store(T& into, const std::string& key, Result<Parsed> parsed) {
+    if (!parsed && parsed.error().kind != ErrorKind::usage) return parsed.error();
     if (!parsed) return usage(key + "=" + parsed.error().message);
     into = *parsed;
     return Done{};
@@ -192,8 +195,10 @@ void MaterialChange::apply_to(Material& m) const {
     };
     if (substance) {
         const std::string name = m.name;
+        const glm::vec3 grain = m.grain;
         m = *substance;
         m.name = name;
+        m.grain = grain;
     }
     if (color) {
         m.diffuse = m.ambient = *color;
@@ -217,6 +222,10 @@ void MaterialChange::apply_to(Material& m) const {
     set(m.metallic, metallic);
     if (metallic) m.physically_based = true;
     set(m.anisotropy, anisotropy);
+    set(m.anisotropy_rotation, anisotropy_rotation);
+    set(m.sheen, sheen);
+    set(m.clearcoat, clearcoat);
+    set(m.clearcoat_roughness, clearcoat_roughness);
     set(m.index_of_refraction, index_of_refraction);
     if (index_of_refraction) m.refractive_index = m.extinction = glm::vec3(0.0f);
     // A file that turned highlights off did not mean the one that is asked for here.
@@ -224,17 +233,20 @@ void MaterialChange::apply_to(Material& m) const {
 }
 
 Result<MaterialChange> parse_material(std::string_view text) {
-    return parse_material_finding(text, [](const std::string& name) { return name; });
+    return parse_material_finding(text, [](const std::string& name) { return name; }, {});
 }
 
-Result<MaterialChange> parse_material_finding(std::string_view text, const FindFile& find) {
+Result<MaterialChange> parse_material_finding(std::string_view text, const FindFile& find,
+                                              const std::vector<std::string>& own_names) {
     const Result<Spec> spec = parse_spec(text);
     if (!spec) return spec.error();
     MaterialChange change;
     if (!spec->name.empty()) {
         change.substance = find_material(spec->name);
         const auto names = material_names();
-        const std::vector<std::string> words(names.begin(), names.end());
+        std::vector<std::string> words;
+        if (spec->values.empty()) words = own_names;
+        words.insert(words.end(), names.begin(), names.end());
         if (!change.substance)
             return usage(in_quotes(text) + ": " + in_quotes(spec->name) + " is none of " + joined(words) +
                          did_you_mean(spec->name, words) + "; or give KEY=VALUE:KEY=VALUE");
@@ -258,6 +270,10 @@ Result<MaterialChange> parse_material_finding(std::string_view text, const FindF
                                          {"roughness", &MaterialChange::roughness, 1.0f},
                                          {"metallic", &MaterialChange::metallic, 1.0f},
                                          {"anisotropy", &MaterialChange::anisotropy, 1.0f},
+                                         {"anisotropy_rotation", &MaterialChange::anisotropy_rotation, 1.0f},
+                                         {"sheen", &MaterialChange::sheen, 1.0f},
+                                         {"clearcoat", &MaterialChange::clearcoat, 1.0f},
+                                         {"clearcoat_roughness", &MaterialChange::clearcoat_roughness, 1.0f},
                                          {"ior", &MaterialChange::index_of_refraction, 4.0f, 1.0f}};
     for (const auto& [key, value] : spec->values) {
         Status status = Done{};
@@ -280,6 +296,7 @@ Result<MaterialChange> parse_material_finding(std::string_view text, const FindF
         if (!found)
             return usage(in_quotes(text) + ": a material has no " + in_quotes(key) + ", but " + joined(known) +
                          did_you_mean(key, known));
+        if (!status && status.error().kind != ErrorKind::usage) return status.error();
         if (!status) return usage(in_quotes(text) + ": " + status.error().message);
     }
     return change;

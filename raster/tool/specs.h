@@ -26,14 +26,18 @@ struct MaterialChange {
     std::optional<std::string> reflectance;
     std::optional<std::shared_ptr<const MeasuredTable>> brdf;
     std::optional<glm::vec3> color, ambient, diffuse, specular, emission;
-    std::optional<float> shininess, alpha, roughness, metallic, anisotropy, index_of_refraction;
+    std::optional<float> shininess, alpha, roughness, metallic, anisotropy, anisotropy_rotation, index_of_refraction;
+    std::optional<float> sheen, clearcoat, clearcoat_roughness;
 
     void apply_to(Material& material) const;
 };
+/// Errors are of kind usage, or those of the table that `brdf` names.
 Result<MaterialChange> parse_material(std::string_view text);
-/// The same where `find` makes the path to open out of the name of a table's file.
+/// The same where `find` makes the path to open out of the name of a table's file. `own_names` are told with the
+/// substances where a name is neither.
 using FindFile = std::function<Result<std::string>(const std::string& name)>;
-Result<MaterialChange> parse_material_finding(std::string_view text, const FindFile& find);
+Result<MaterialChange> parse_material_finding(std::string_view text, const FindFile& find,
+                                              const std::vector<std::string>& own_names);
 std::string material_help();
 
 }  // namespace raster::tool

@@ -64,6 +64,7 @@ public:
         for (const EyeLight& light : u.lights) add(light);
         add(u.material);
         hash_.add(u.grain_eye);
+        hash_.add(u.grain_turn);
         hash_.add(u.two_sided);
         hash_.add(u.viewer_eye);
         hash_.add(u.first_triangle);

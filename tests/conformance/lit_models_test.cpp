@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <raster/scene/material_model.h>
 #include <raster/scene/shapes.h>
 #include <raster/shading/materials.h>
 
@@ -65,6 +66,15 @@ HeTorrance he_torrance(const Fresnel& fresnel, float sigma, float tau) {
     return model;
 }
 
+AnyReflectance layered(const AnyReflectance& base, float sheen, float clearcoat, float roughness) {
+    Material m;
+    m.specular = glm::vec3(0.6f, 0.5f, 0.4f);
+    m.sheen = sheen;
+    m.clearcoat = clearcoat;
+    m.clearcoat_roughness = roughness;
+    return finish(m, base).reflectance;
+}
+
 struct Variant {
     const char* name;
     AnyReflectance model;
@@ -90,6 +100,9 @@ std::vector<Variant> variants() {
         {"He-Torrance, rough iron", he_torrance(iron, 0.3f, 2.5f)},
         {"He-Torrance, smooth copper", he_torrance(copper, 0.06f, 3.0f)},
         {"He-Torrance, glass", he_torrance(glass, 0.15f, 1.5f)},
+        {"Lambert under fibres", layered(Lambert{}, 1, 0, 0)},
+        {"Ward under fibres and varnish", layered(Ward{0.12f, 0.45f}, 0.5f, 0.8f, 0.6f)},
+        {"Cook-Torrance, copper, under varnish", layered(CookTorrance{copper, 0.4f}, 0, 1, 0.3f)},
     };
 }
 
@@ -119,6 +132,11 @@ std::vector<ModelScene> substance_scenes() {
         s.few_twice = name == "ground-aluminium";
         scenes.push_back(std::move(s));
     }
+    ModelScene turned = scene("torus of brushed aluminium, its grain turned", Lambert{}, torus());
+    turned.options.reflectance_from_material = true;
+    turned.options.default_material = *find_material("brushed-aluminium");
+    turned.options.default_material.anisotropy_rotation = 0.1f;
+    scenes.push_back(std::move(turned));
     ModelScene watts = scene("sphere, Cook-Torrance, 40 W/sr", CookTorrance{copper, 0.4f}, sphere());
     Light lamp;
     lamp.kind = LightKind::point;

@@ -81,6 +81,11 @@ std::vector<Scene> model_scenes() {
         for (const std::string_view model : reflectance_names())
             with(std::string(model), pot,
                  [=](RenderOptions& options) { options.reflectance = *find_reflectance(model); });
+        with("layered", pot, [](RenderOptions& options) {
+            options.default_material.sheen = 0.7f;
+            options.default_material.clearcoat = 0.8f;
+            options.default_material.clearcoat_roughness = 0.5f;
+        });
         with("point_light", pot, [](RenderOptions& options) {
             options.lights = {white(LightKind::point)};
             options.lights[0].attenuation = {0.5f, 0.1f, 0.02f};

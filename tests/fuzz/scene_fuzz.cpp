@@ -40,7 +40,9 @@ void require_sound(const Model& model) {
     for (const Material& m : model.materials) {
         for (const glm::vec3& c : {m.ambient, m.diffuse, m.specular, m.emission})
             for (int i = 0; i < 3; ++i) require(is_finite(c[i]) && c[i] >= 0);
-        for (const float f : {m.alpha, m.roughness, m.metallic, m.anisotropy}) require(f >= 0 && f <= 1);
+        for (const float f : {m.alpha, m.roughness, m.metallic, m.anisotropy, m.anisotropy_rotation, m.sheen,
+                              m.clearcoat, m.clearcoat_roughness})
+            require(f >= 0 && f <= 1);
     }
 }
 

@@ -96,6 +96,9 @@ test_every_flag_changes_something() {
 --material satin
 --material reflectance=velvet
 --material metallic=1
+--material sheen=1
+--material clearcoat=1
+--material clearcoat=1:clearcoat_roughness=0.5
 --reflectance he-torrance
 --no-two-sided
 --hidden painter
