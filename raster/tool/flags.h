@@ -16,6 +16,17 @@
 
 namespace raster::tool {
 
+/// A value that `parse` below refuses, with its error: one of a file that a value names is not the command line's.
+class FlagError : public CLI::ValidationError {
+public:
+    FlagError(const std::string& flag, raster::Error error)
+        : CLI::ValidationError(flag, error.message), error_(std::move(error)) {}
+    const raster::Error& error() const { return error_; }
+
+private:
+    raster::Error error_;
+};
+
 /// A flag with one value. `names` is CLI11's: "-o,--output". `type` stands for the value in --help. `parse` takes
 /// the text and gives a Result; what it gives goes into `into`. Given twice, the last one counts.
 template <class T, class Parse>
@@ -24,7 +35,7 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, const std::strin
     const std::string name = names.substr(names.rfind(',') + 1);
     const auto read = [&into, parse, name](const std::string& text) {
         auto value = parse(std::string_view(text));
-        if (!value) throw CLI::ValidationError(name, value.error().message);
+        if (!value) throw FlagError(name, value.error());
         into = std::move(*value);
     };
     return app.add_option_function<std::string>(names, read, description)->option_text(type)->take_last();
@@ -37,7 +48,7 @@ CLI::Option* add_values(CLI::App& app, const std::string& name, const std::strin
     const auto read = [&into, parse, name](const std::vector<std::string>& texts) {
         for (const std::string& text : texts) {
             auto value = parse(std::string_view(text));
-            if (!value) throw CLI::ValidationError(name, value.error().message);
+            if (!value) throw FlagError(name, value.error());
             into.push_back(std::move(*value));
         }
     };

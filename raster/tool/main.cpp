@@ -41,6 +41,8 @@ Error describe(const CLI::App& app, const CLI::App* command, const CLI::ParseErr
     }
     if (dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty())
         return {ErrorKind::usage, in_quotes(unknown.front()) + " is one argument too many" + see};
+    if (const auto* refused = dynamic_cast<const FlagError*>(&error); refused)
+        if (refused->error().kind != ErrorKind::usage) return refused->error();
     std::string message = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) message += "; a value is missing";
     return {ErrorKind::usage, message};

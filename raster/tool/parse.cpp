@@ -203,7 +203,10 @@ Result<Spec> parse_spec(std::string_view text) {
         } else if (equals == std::string_view::npos || equals == 0 || equals + 1 == piece.size()) {
             return bad_value(text, "has " + in_quotes(piece) + " where KEY=VALUE is expected");
         } else {
-            spec.values.emplace_back(piece.substr(0, equals), piece.substr(equals + 1));
+            const std::string key(piece.substr(0, equals));
+            const auto given = [&](const auto& value) { return value.first == key; };
+            if (std::ranges::any_of(spec.values, given)) return bad_value(text, "has " + in_quotes(key) + " twice");
+            spec.values.emplace_back(key, piece.substr(equals + 1));
         }
         first = false;
     }

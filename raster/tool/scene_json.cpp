@@ -55,10 +55,12 @@ Result<glm::mat4> read_scale(const JsonDocument& document, const JsonNode& node)
         const Result<float> factor = read_number(document, node);
         if (!factor) return factor.error();
         factors = glm::vec3(*factor);
-    } else {
+    } else if (node.is(Kind::array)) {
         const Result<glm::vec3> read = read_vector(document, node);
         if (!read) return read.error();
         factors = *read;
+    } else {
+        return document.error_at(node, "here a number or a list of three numbers is expected");
     }
     if (factors.x == 0 || factors.y == 0 || factors.z == 0)
         return document.error_at(node, "scaled by 0 nothing is left");

@@ -57,6 +57,7 @@ test_all_components_give_the_table_back_and_fewer_a_larger_error() {
 test_what_cannot_be_done_is_told() {
     expect 2 'required' brdf
     expect 2 '--output is required' brdf gold
+    expect 2 "'silver' is one material too many without --components" brdf gold silver -o g.binary
     expect 2 "'goldd' is none of .*gold" brdf goldd -o g.binary
     expect 2 'not HxDxP' brdf gold -o g.binary --table-size 90x90
     expect 2 'from 2 to 360' brdf gold -o g.binary --table-size 1x90x180
@@ -80,8 +81,9 @@ test_broken_tables_are_told() {
     local file
     for file in cut empty huge; do
         expect 1 "$file.binary: " brdf $file.binary -o g.binary
-        expect 2 "brdf=$file.binary: " render shape:sphere --material brdf=$file.binary -o p.png
+        expect 1 "^error: $file.binary: " render shape:sphere --material brdf=$file.binary -o p.png
     done
+    expect 3 "^error: missing.binary: " render shape:sphere --material brdf=missing.binary -o p.png
     rm ./*.binary
     expect_files
 }
@@ -99,7 +101,7 @@ test_a_scene_finds_tables_beside_itself_and_nowhere_else() {
     scene '"brdf=gold.binary"'
     expect 0 '' render in/s.json --size 16x16 -o p.png
     scene '{"color": 0.5, "brdf": "../outside.binary"}'
-    expect 1 "in/s.json:2:49: .*brdf=../outside.binary.*: refused.*--allow-outside" render in/s.json -o p.png
+    expect 1 "in/s.json:2:49: .*../outside.binary: refused.*--allow-outside" render in/s.json -o p.png
     expect 0 '' render in/s.json --size 16x16 -o p.png --allow-outside
     scene '{"brdf": "missing.binary"}'
     expect 1 'in/s.json:2:35: .*missing.binary: not found' render in/s.json -o p.png

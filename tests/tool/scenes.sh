@@ -140,7 +140,8 @@ test_models_outside_the_scenes_folder_are_refused() {
 
 test_mistakes_are_told_with_line_and_column() {
     local change words
-    scene '"lights": [{"kind": "point", "pos": [1, 2, 3]}]' '"camera": {"view_angle": 40}' '"picture": {"shade": "flat"}'
+    scene '"lights": [{"kind": "point", "pos": [1, 2, 3]}]' '"camera": {"view_angle": 40}' '"picture": {"shade": "flat"}' \
+        '"materials": {"glazed": {"specular": 0.6}}'
     cp s.json good.json
     while IFS='|' read -r change words; do
         sed "$change" good.json >s.json
@@ -156,6 +157,10 @@ s/"plane"/{"kind": "plane", "divisions": 0}/|4:32: divisions of the shape plane
 s/"shape": "plane"/"shape": "plane", "model": "x"/|4:5: an object has either
 s/"scale": 3/"scale": 0/|4:65: scaled by 0
 s/"scale": 3/"scal": 3/|4:56: 'scal' is none of
+s/"scale": 3/"scale": "3"/|4:65: here a number or a list of three
+s/"scale": 3/"scale": [3]/|4:65: here a list of three
+s/"transform": \[{"sc/"material": "glased", &/|4:53: 'glased': 'glased' is none of glazed, .*gold.*; did you mean glazed
+s/"transform": \[{"sc/"material": "glazed:alpha=1", &/|4:53: .*'glazed' is none of gold
 s/\[0, 1, 0\]/[0, 1]/|5:69: here a list of three
 s/"pos": \[1/"pos": [1, 1/|7:34: .*pos='1,1,2,3' is not X,Y,Z
 s/"kind": "point"/"kind": "pint"/|7:25: .*did you mean point
@@ -164,10 +169,14 @@ s/"view_angle": 40/"view_angle": 180/|8:30: --camera-view-angle
 s/"flat"/"flatt"/|9:26: --shade: 'flatt' is none of
 s/"name": "ball",/"name": "ball", "name": "x",/|5:22: 'name' is given twice
 s/"ball",/"ball"/|5:21: this is no JSON: '"shape"'
-s/^}//|11:1: this is no JSON: the file ends too early
+s/^}//|12:1: this is no JSON: the file ends too early
 CHANGES
     echo '[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[' >s.json
     expect 1 's.json:1:33: nested too deeply' render s.json
+    echo '{"format": "raster-scene", "version": 1, "objects": []}' >s.json
+    expect 1 's.json:1:53: there is no object in "objects"' render s.json
+    echo '{"format": "raster-scene", "version": 1}' >s.json
+    expect 1 's.json:1:1: a scene has "objects", a list' render s.json
     printf '\377\376' >s.json
     expect 1 's.json:1:1: this is no JSON' render s.json
     : >s.json
@@ -193,6 +202,7 @@ test_shapes_are_models() {
     expect 2 "has no 'size'" render shape:vase:size=2
     expect 2 'from 3 to 1024' render shape:vase:segments=2
     expect 2 "segments='x' is no" render shape:vase:segments=x
+    expect 2 "'vase:segments=4:segments=5' has 'segments' twice" render shape:vase:segments=4:segments=5
 }
 
 run_tests "$@"

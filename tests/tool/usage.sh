@@ -119,6 +119,8 @@ test_lights_and_materials_are_checked() {
     for material in gould gold:x=1 reflectance=shiny color shininess=1001 shininess=-1 alpha=2 color=-1 colour=1 '' x=1 =; do
         expect 2 '^error: --material' render t.obj --material "$material"
     done
+    expect 2 "'gold:alpha=1:alpha=0.5' has 'alpha' twice" render t.obj --material gold:alpha=1:alpha=0.5
+    expect 2 "has 'pos' twice" render t.obj --light point:pos=1,2,3:pos=1,2,3
     expect 2 "did you mean shininess" render t.obj --material shinines=5
     expect 2 "did you mean gold" render t.obj --material golt
     expect 2 "did you mean oren-nayar" render t.obj --material reflectance=oren-naya
