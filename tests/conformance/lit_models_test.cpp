@@ -132,7 +132,7 @@ std::vector<ModelScene> substance_scenes() {
         s.few_twice = name == "ground-aluminium";
         scenes.push_back(std::move(s));
     }
-    ModelScene turned = scene("torus of brushed aluminium, its grain turned", Lambert{}, torus());
+    ModelScene turned = scene("vase of brushed aluminium, its grain turned", Lambert{}, vase(48));
     turned.options.reflectance_from_material = true;
     turned.options.default_material = *find_material("brushed-aluminium");
     turned.options.default_material.anisotropy_rotation = 0.1f;
