@@ -1,9 +1,6 @@
 // diff_flip_test.cpp: FLIP against a second implementation, straight from the paper: direct 2D filters in double.
 #include <raster/image/flip.h>
 
-#include <raster/image/flip_color.h>
-#include <raster/image/flip_rows.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -356,49 +353,5 @@ TEST(Flip, IsTheSameForEveryNumberOfThreads) {
     }
 }
 #endif
-
-TEST(FlipColor, TheCubeRootIsRightToThreeInTenMillion) {
-    Random random(28);
-    for (int i = 0; i < 100000; ++i) {
-        const float x = std::ldexp(random.uniform(1, 8), random.integer(-60, 60));
-        EXPECT_NEAR(raster::flip::cube_root(x) / std::cbrt(double(x)), 1.0, 5e-7) << x;
-    }
-}
-
-TEST(FlipColor, RowsHaveTheBitsOfSinglePixels) {
-    Random random(30);
-    constexpr int count = 64;
-    std::array<float, count> r, g, b, y, red_green, blue_yellow;
-    for (int i = 0; i < count; ++i) {
-        const std::size_t k = std::size_t(i);
-        // Beyond what a screen shows too, as filters make them.
-        r[k] = random.uniform(-0.1f, 1.1f), g[k] = random.uniform(-0.1f, 1.1f), b[k] = random.uniform(-0.1f, 1.1f);
-    }
-    raster::flip::opponent_colors({r.data(), g.data(), b.data()}, count,
-                                  {y.data(), red_green.data(), blue_yellow.data()});
-    auto l = y, lab_a = red_green, lab_b = blue_yellow;
-    raster::flip::seen_colors({l.data(), lab_a.data(), lab_b.data()}, count);
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto opponent = raster::flip::opponent_from_rgb(raster::flip::Rgb<float>{r[k], g[k], b[k]});
-        EXPECT_EQ(y[k], opponent.y);
-        EXPECT_EQ(red_green[k], opponent.red_green);
-        EXPECT_EQ(blue_yellow[k], opponent.blue_yellow);
-        const auto lab = raster::flip::hunt_lab_from_rgb(raster::flip::clamped_rgb_from_opponent(opponent));
-        EXPECT_EQ(l[k], lab.l);
-        EXPECT_EQ(lab_a[k], lab.a);
-        EXPECT_EQ(lab_b[k], lab.b);
-    }
-}
-
-TEST(FlipColor, OpponentColoursGoThereAndBack) {
-    Random random(29);
-    for (int i = 0; i < 1000; ++i) {
-        const raster::flip::Rgb<float> c = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
-        const auto back = raster::flip::clamped_rgb_from_opponent(raster::flip::opponent_from_rgb(c));
-        EXPECT_NEAR(back.r, c.r, 2e-6f);
-        EXPECT_NEAR(back.g, c.g, 2e-6f);
-        EXPECT_NEAR(back.b, c.b, 2e-6f);
-    }
-}
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include <raster/image/diff_steps.h>
 #include <raster/image/metrics_display.h>
@@ -81,30 +82,41 @@ void place_row(const std::vector<Rgb8>& colors, const Scale& scale, int left, in
     }
 }
 
-/// A picture, each colour the mean of a block.
-void place(const AnyImage& image, const Scale& scale, int left, int top, Image8& page) {
+/// A picture, each colour the mean of a block. A Sum holds that of a block's column.
+template <class Sum>
+void place_means(const AnyImage& image, const Scale& scale, int left, int top, Image8& page) {
     const Display display(image, white);
     tiles::parallel_for(std::size_t(scale.height / scale.grow), [&](std::size_t row) {
         const int y0 = int(row) * scale.shrink, y1 = std::min(y0 + scale.shrink, display.height());
         const std::size_t samples = 3 * std::size_t(display.width()), block = 3 * std::size_t(scale.shrink);
-        std::vector<std::uint32_t> sums(samples);
+        std::vector<Sum> sums(samples);
         std::vector<std::uint8_t> space;
         for (int y = y0; y < y1; ++y) {
             const std::uint8_t* in = displayed_row(image, display, y, space);
-            for (std::size_t i = 0; i < samples; ++i) sums[i] += in[i];
+            Sum* const out = sums.data();
+            for (std::size_t i = 0; i < samples; ++i) out[i] = Sum(out[i] + in[i]);
         }
         std::vector<Rgb8> colors;
+        colors.reserve(samples / block + 1);
         for (std::size_t start = 0; start < samples; start += block) {
             const std::size_t end = std::min(start + block, samples);
-            const std::uint32_t count = std::uint32_t((end - start) / 3 * std::size_t(y1 - y0));
-            std::uint32_t sum[3] = {};
-            for (std::size_t i = start; i < end; i += 3)
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += sums[i + c];
-            colors.push_back({std::uint8_t((sum[0] + count / 2) / count), std::uint8_t((sum[1] + count / 2) / count),
-                              std::uint8_t((sum[2] + count / 2) / count)});
+            std::uint32_t r = 0, g = 0, b = 0;
+            for (std::size_t i = start; i < end; i += 3) r += sums[i], g += sums[i + 1], b += sums[i + 2];
+            // Rounded to the nearest: half a count more, and so far from whole numbers that the product may round too.
+            const double half = double((end - start) / 3 * std::size_t(y1 - y0) / 2) + 0.5;
+            const double share = 1.0 / double((end - start) / 3 * std::size_t(y1 - y0));
+            const auto mean = [&](std::uint32_t sum) { return std::uint8_t((double(sum) + half) * share); };
+            colors.push_back({mean(r), mean(g), mean(b)});
         }
         place_row(colors, scale, left, top, int(row), page);
     });
+}
+
+void place(const AnyImage& image, const Scale& scale, int left, int top, Image8& page) {
+    if (scale.shrink <= 257)
+        place_means<std::uint16_t>(image, scale, left, top, page);
+    else
+        place_means<std::uint32_t>(image, scale, left, top, page);
 }
 
 /// A difference, each colour the most colourful pixel of a block.
@@ -116,13 +128,17 @@ void place(const IndexedImage& image, const Scale& scale, int left, int top, Ima
     }
     tiles::parallel_for(std::size_t(scale.height / scale.grow), [&](std::size_t row) {
         const int y0 = int(row) * scale.shrink, y1 = std::min(y0 + scale.shrink, image.indices.height);
+        const int width = image.indices.width;
+        std::vector<std::uint8_t> columns(image.indices.pixel(0, y0), image.indices.pixel(0, y0) + width);
+        const auto take = [&](std::uint8_t& best, std::uint8_t i) { best = colorful[i] > colorful[best] ? i : best; };
+        for (int y = y0 + 1; y < y1; ++y) {
+            const std::uint8_t* in = image.indices.pixel(0, y);
+            for (int x = 0; x < width; ++x) take(columns[std::size_t(x)], in[x]);
+        }
         std::vector<Rgb8> colors;
-        for (int x0 = 0; x0 < image.indices.width; x0 += scale.shrink) {
-            const int x1 = std::min(x0 + scale.shrink, image.indices.width);
-            std::uint8_t best = *image.indices.pixel(x0, y0);
-            for (int y = y0; y < y1; ++y)
-                for (const std::uint8_t* p = image.indices.pixel(x0, y); p < image.indices.pixel(x1, y); ++p)
-                    best = colorful[*p] > colorful[best] ? *p : best;
+        for (int x0 = 0; x0 < width; x0 += scale.shrink) {
+            std::uint8_t best = columns[std::size_t(x0)];
+            for (int x = x0; x < std::min(x0 + scale.shrink, width); ++x) take(best, columns[std::size_t(x)]);
             colors.push_back(image.palette[best]);
         }
         place_row(colors, scale, left, top, int(row), page);
@@ -146,26 +162,37 @@ IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff) {
     IndexedImage out = {Image8(display.width(), display.height(), 1), difference_palette()};
     const int bits = diff_steps::shape_of(expected).bits, width = display.width();
     const float peak = bits == 8 ? 255.0f : bits == 16 ? 65535.0f : 1.0f;
-    std::vector<std::uint8_t> failing_by_delta;  // for whole numbers
+    std::vector<std::uint8_t> by_delta;  // for whole numbers; 0: a grey
     for (int delta = 0; bits != 32 && delta <= int(peak); ++delta)
-        failing_by_delta.push_back(failing(float(delta) / peak));
+        by_delta.push_back(float(delta) > diff.allowed_delta ? failing(float(delta) / peak)
+                           : delta > 0                       ? std::uint8_t(tolerated_index)
+                                                             : std::uint8_t(0));
     tiles::parallel_for(std::size_t(display.height()), [&](std::size_t row) {
         const int y = int(row);
-        std::uint8_t* pixel = out.indices.pixel(0, y);
-        std::vector<float> luma(std::size_t(width), 0.0f);
-        display.luma_row(0, y, width, luma.data());
-        for (int x = 0; x < width; ++x)
-            pixel[x] = std::uint8_t(int((0.72f + 0.25f * luma[std::size_t(x)]) * 255.0f + 0.5f) - darkest_grey);
-        if (!diff.deltas.empty()) {
-            const float* delta = diff.deltas.pixel(0, y);
-            for (int x = 0; x < width; ++x) {
-                if (delta[x] > diff.allowed_delta)
-                    // Beyond the peak where the other picture has more bits.
-                    pixel[x] =
-                        bits == 32 ? failing(delta[x] / peak) : failing_by_delta[std::size_t(min(delta[x], peak))];
-                else if (delta[x] > 0)
-                    pixel[x] = std::uint8_t(tolerated_index);
+        std::uint8_t* const pixel = out.indices.pixel(0, y);
+        const float* const deltas = diff.deltas.empty() ? nullptr : diff.deltas.pixel(0, y);
+        const auto color_of = [&](float delta) {
+            // Beyond the peak where the other picture has more bits.
+            if (bits != 32) return by_delta[std::size_t(std::int32_t(min(delta, peak)))];
+            if (delta > diff.allowed_delta) return failing(delta / peak);
+            return std::uint8_t(delta > 0 ? tolerated_index : 0);
+        };
+        constexpr int block = 256;
+        for (int x0 = 0; x0 < width; x0 += block) {
+            const int count = std::min(block, width - x0);
+            std::uint8_t colors[block] = {};
+            for (int i = 0; deltas != nullptr && i < count; ++i) colors[i] = color_of(deltas[x0 + i]);
+            std::uint8_t* const to = pixel + x0;
+            if (std::memchr(colors, 0, std::size_t(count)) == nullptr) {
+                std::memcpy(to, colors, std::size_t(count));
+                continue;
             }
+            float luma[block];
+            display.luma_row(x0, y, count, luma);
+            std::uint8_t greys[block];
+            for (int i = 0; i < count; ++i)
+                greys[i] = std::uint8_t(int((0.72f + 0.25f * luma[i]) * 255.0f + 0.5f) - darkest_grey);
+            for (int i = 0; i < count; ++i) to[i] = colors[i] != 0 ? colors[i] : greys[i];
         }
         if (diff.compared.empty()) return;
         const std::uint8_t* counts = diff.compared.pixel(0, y);
@@ -192,12 +219,14 @@ IndexedImage flip_picture(const Diff& diff) {
         out.palette.push_back({grey, grey, grey});
     }
     tiles::parallel_for(std::size_t(diff.flip_map.height), [&](std::size_t y) {
-        const float* error = diff.flip_map.pixel(0, int(y));
-        std::uint8_t* pixel = out.indices.pixel(0, int(y));
-        for (int x = 0; x < diff.flip_map.width; ++x) {
-            const float step = min(error[x], 1.0f) * float(steps - 1);
-            const int whole = int(step);
-            pixel[x] = std::uint8_t(whole + (float(whole) < step));  // only 0 is black
+        const float* const error = diff.flip_map.pixel(0, int(y));
+        std::uint8_t* const pixel = out.indices.pixel(0, int(y));
+        const int width = out.indices.width;  // a store to a byte might change one that is not ours
+        for (int x = 0; x < width; ++x) {
+            // In 1/65536 of a step, rounded up: only 0 is black. Whole numbers, for the sake of compilers.
+            const std::int32_t more_than_none = std::int32_t(std::uint32_t(-as_int(error[x])) >> 31);
+            const std::int32_t fraction = std::int32_t(error[x] * float((steps - 1) << 16)) | more_than_none;
+            pixel[x] = std::uint8_t(std::min((fraction + 0xffff) >> 16, steps - 1));
         }
     });
     return out;

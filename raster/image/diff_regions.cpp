@@ -32,10 +32,12 @@ struct Cells {
         int count = 0;
         for (int x = x0; x < x1; ++x) count += delta[x] > limit;
         if (count == 0) return;
-        int first = x0, last = x1 - 1, largest = x0;
+        int first = x0, last = x1 - 1;
         while (!(delta[first] > limit)) ++first;
         while (!(delta[last] > limit)) --last;
-        for (int x = x0; x < x1; ++x) largest = delta[x] > delta[largest] ? x : largest;
+        float most = 0;
+        for (int x = x0; x < x1; ++x) most = delta[x] > most ? delta[x] : most;
+        const int largest = int(std::find(delta + x0, delta + x1, most) - delta);
         merge(at(column, y / cell), {{first, y, last - first + 1, 1}, count, delta[largest], largest, y});
     }
     DiffRegion& at(int column, int row) {

@@ -5,6 +5,7 @@
 #include <raster/image/flip.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include <raster/image/flip_color.h>
@@ -19,7 +20,6 @@ namespace raster {
 namespace {
 
 using flip::Filters;
-using F = FloatN;
 using Weights = std::vector<float>;
 using enum FilterSymmetry;
 
@@ -59,6 +59,7 @@ public:
           radius_(filters.radius()),
           source_stride_(round_up(round_up(width, row_block) + 2 * radius_, row_block)),
           source_(6 * std::size_t(source_stride_)),
+          bytes_(3 * std::size_t(source_stride_)),
           across_(planes, Ring(power_of_two_from(2 * radius_ + rows_at_once), round_up(width, row_block))),
           result_stride_(round_up(width, row_block)),
           results_(std::size_t(results * rows_at_once * result_stride_)),
@@ -69,8 +70,12 @@ public:
         float *red = source(0), *green = source(1), *blue = source(2);
         float *lightness = source(3), *red_green = source(4), *blue_yellow = source(5);
         const int count = width_ + 2 * radius_;
-        display_.linear_row(x0_ - radius_, y, count, red, green, blue);
-        flip::opponent_colors({red, green, blue}, count, {lightness, red_green, blue_yellow});
+        if (const std::uint8_t* row = display_.bytes_row(x0_ - radius_, y, count)) {  // most pictures
+            flip::opponent_colors_of_bytes(with_edges(row), count, {lightness, red_green, blue_yellow});
+        } else {
+            display_.linear_row(x0_ - radius_, y, count, red, green, blue);
+            flip::opponent_colors({red, green, blue}, count, {lightness, red_green, blue_yellow});
+        }
         filter_rows(even, filters_.lightness, beside(lightness, filters_.lightness), width_, plane(eye_lightness, y));
         filter_rows(even, filters_.red_green, beside(red_green, filters_.red_green), width_, plane(eye_red_green, y));
         filter_rows_even_even(filters_.blue_yellow_1, filters_.blue_yellow_2,
@@ -94,24 +99,29 @@ public:
         flip::seen_colors({result(color_1), result(color_2), result(color_3)}, rows_at_once * int(result_stride_));
     }
 
-    /// What the eye makes of the colours around the pixels i, i + 1, ... of the row y + o.
-    flip::HuntLab<F> color(int o, int i) const { return {at(color_1, o, i), at(color_2, o, i), at(color_3, o, i)}; }
-    /// How much of an edge there is: the length of the gradient.
-    F edge(int o, int i) const { return length(at(edge_x, o, i), at(edge_y, o, i)); }
-    /// How much of a point or thin line there is: the length of the second derivatives.
-    F point(int o, int i) const { return length(at(point_x, o, i), at(point_y, o, i)); }
+    /// The row y + o.
+    flip::SeenRow row(int o) {
+        return {{result(color_1, o), result(color_2, o), result(color_3, o)},
+                result(edge_x, o), result(edge_y, o), result(point_x, o), result(point_y, o)};
+    }
 
 private:
     enum Plane { eye_lightness, eye_red_green, eye_blue_yellow_1, eye_blue_yellow_2, smooth, slope, bend, planes };
     enum Result { color_1, color_2, color_3, edge_x, edge_y, point_x, point_y, results };
 
-    static F length(F x, F y) { return sqrt(x * x + y * y); }
-    F at(Result from, int o, int i) const { return load<F>(result_of(from, o) + i); }
+    /// The pixels of the tile and `radius` more on both sides, of a row of the picture, whose edges are repeated.
+    const std::uint8_t* with_edges(const std::uint8_t* row) {
+        const int first = x0_ - radius_, count = width_ + 2 * radius_, picture = display_.width();
+        const int left = std::clamp(-first, 0, count), right = std::clamp(picture - first, left, count);
+        if (left == 0 && right == count && first + round_up(count, 4) <= picture) return row + 3 * first;
+        std::uint8_t* out = bytes_.data();
+        for (int i = 0; i < left; ++i) out = std::copy_n(row, 3, out);
+        out = std::copy_n(row + 3 * (first + left), 3 * (right - left), out);
+        for (int i = right; i < count; ++i) out = std::copy_n(row + 3 * (picture - 1), 3, out);
+        return bytes_.data();
+    }
     float* source(int plane) { return source_.data() + plane * source_stride_; }
     float* plane(Plane which, int y) { return across_[which].row(y); }
-    const float* result_of(Result which, int o) const {
-        return results_.data() + (which * rows_at_once + o) * result_stride_;
-    }
     float* result(Result which, int o = 0) { return results_.data() + (which * rows_at_once + o) * result_stride_; }
 
     /// A row at the places that a filter along x looks at.
@@ -137,26 +147,12 @@ private:
     int x0_, width_, radius_;
     std::ptrdiff_t source_stride_;
     std::vector<float> source_;  ///< planes of one row, with `radius` more pixels on both sides
+    std::vector<std::uint8_t> bytes_;
     std::vector<Ring> across_;   ///< for each Plane, rows filtered along x
     std::ptrdiff_t result_stride_;
     std::vector<float> results_;  ///< for each Result, rows_at_once rows of the picture
     std::vector<const float*> rows_;
 };
-
-const flip::ErrorCurve curve;
-
-/// The errors of the row o of those that both are at (sections 4.2 and 4.3). `scratch` is as long as `errors`.
-void find_errors(const Filtered& expected, const Filtered& actual, int o, int width, float* errors, float* scratch) {
-    for (int i = 0; i < width; i += native_lanes) {
-        const F edges = abs(expected.edge(o, i) - actual.edge(o, i));
-        const F points = abs(expected.point(o, i) - actual.point(o, i));
-        const F features = sqrt(max(edges, points) * 0.707106781f);
-        store(scratch + i, max(F(1.0f) - features, 0.0f));
-        store(errors + i, flip::hyab(expected.color(o, i), actual.color(o, i)));
-    }
-    for (int i = 0; i < width; i += native_lanes)
-        store(errors + i, curve.to_power<F>(load<F>(errors + i), load<F>(scratch + i)));
-}
 
 struct FlipTile {
     int x0, y0, y1;
@@ -167,14 +163,14 @@ void fill_tile(const Display& expected_display, const Display& actual_display, c
     const int width = std::min(flip_tile_width, map.width - tile.x0), y1 = std::min(tile.y1, map.height);
     const int radius = filters.radius();
     Filtered expected(expected_display, filters, tile.x0, width), actual(actual_display, filters, tile.x0, width);
-    std::vector<float> errors(std::size_t(round_up(width, native_lanes))), scratch(errors.size());
+    std::vector<float> errors(std::size_t(round_up(width, row_block))), scratch(2 * errors.size());
     int added = tile.y0 - radius;
     for (int y = tile.y0; y < y1; y += rows_at_once) {
         for (; added < y + rows_at_once + radius; ++added) expected.add_row(added), actual.add_row(added);
         expected.go_to_rows(y);
         actual.go_to_rows(y);
         for (int o = 0; o < std::min(rows_at_once, y1 - y); ++o) {
-            find_errors(expected, actual, o, width, errors.data(), scratch.data());
+            flip::errors_between(expected.row(o), actual.row(o), width, errors.data(), scratch.data());
             float* out = map.pixel(tile.x0, y + o);
             // Over two backgrounds, the larger error stays.
             for (int i = 0; i < width; ++i) out[i] = max(errors[std::size_t(i)], out[i]);

@@ -146,21 +146,22 @@ public:
     }
 
     /// The error of a distance, to the power of `exponent`, which is 0 to 1.
-    template <FloatOrPack F>
-    F to_power(F distance, F exponent) const {
+    float to_power(float distance, float exponent) const {
+        if (!(distance > 0.0f)) return 0.0f;
         // Below the knee (d^0.7 slope)^exponent takes one logarithm and one power; few colours are beyond.
-        const F log_error = raster::log2(distance) * power;
-        F error = raster::exp2((log_error + log_slope_) * exponent);
-        const auto beyond = log_error > log_knee_;
-        if (any(beyond)) {
-            const F bent = (raster::exp2(log_error) - knee_) * slope_beyond_ + at_knee;
-            error = select(beyond, raster::pow(bent, exponent), error);
-        }
-        return select(distance > 0.0f, error, F(0.0f));
+        const float log_error = raster::log2(distance) * power;
+        if (!(log_error > log_knee_)) return raster::exp2((log_error + log_slope_) * exponent);
+        const float bent = (raster::exp2(log_error) - knee_) * slope_beyond_ + at_knee;
+        return raster::exp2(raster::log2(bent) * exponent);
     }
 
-private:
     static constexpr float power = 0.7f, at_knee = 0.95f;
+    float knee() const { return knee_; }
+    float log_knee() const { return log_knee_; }
+    float log_slope() const { return log_slope_; }
+    float slope_beyond() const { return slope_beyond_; }
+
+private:
     float knee_, log_knee_, log_slope_, slope_beyond_;
 };
 

@@ -92,14 +92,7 @@ void Display::row(int x0, int y, int count, float* red, float* green, float* blu
         const int first = std::clamp(-x0, 0, count), last = std::clamp(width_ - x0, first, count);
         fetch_soon(held, x0 + first, y, last - first);
         for (int i = 0; i < first; ++i) read_one(i, 0);
-        if constexpr (linear && channels == 3 && !is_float) {  // most pictures; as read_one, but faster
-            const T* pixel = samples + std::ptrdiff_t(x0 + first) * 3;
-            const float* linear_of = linear_of_;
-            for (int i = first; i < last; ++i, pixel += 3)
-                red[i] = linear_of[pixel[0]], green[i] = linear_of[pixel[1]], blue[i] = linear_of[pixel[2]];
-        } else {
-            for (int i = first; i < last; ++i) read_one(i, x0 + i);
-        }
+        for (int i = first; i < last; ++i) read_one(i, x0 + i);
         for (int i = last; i < count; ++i) read_one(i, width_ - 1);
     };
     std::visit(
@@ -122,6 +115,14 @@ void Display::encoded_row(int x0, int y, int count, float* red, float* green, fl
     row<false>(x0, y, count, red, green, blue);
 }
 
+const std::uint8_t* Display::bytes_row(int x0, int y, int count) const {
+    const auto* bytes = std::get_if<Image8>(image_);
+    if (bytes == nullptr || bytes->channels != 3) return nullptr;
+    const int first = std::clamp(x0, 0, width_), last = std::clamp(x0 + count, first, width_);
+    fetch_soon(*bytes, first, y, last - first);
+    return bytes->pixel(0, std::clamp(y, 0, height_ - 1));
+}
+
 void Display::luma_row(int x0, int y, int count, float* luma) const {
     if (const auto* bytes = std::get_if<Image8>(image_); bytes != nullptr && bytes->channels == 3) {
         const int first = std::clamp(-x0, 0, count), last = std::clamp(width_ - x0, first, count);
@@ -140,6 +141,8 @@ void Display::luma_row(int x0, int y, int count, float* luma) const {
         for (int k = 0; k < n; ++k) luma[i + k] = 0.299f * red[k] + 0.587f * green[k] + 0.114f * blue[k];
     }
 }
+
+const float* linear_of_bytes() { return decoding_table<std::uint8_t>(); }
 
 bool has_transparency(const AnyImage& image) {
     return std::visit(

@@ -23,6 +23,9 @@ public:
     void linear_row(int x0, int y, int count, float* red, float* green, float* blue) const;
     /// The same, sRGB encoded.
     void encoded_row(int x0, int y, int count, float* red, float* green, float* blue) const;
+    /// The bytes of row y, if pixels are three of them: what linear_row decodes by linear_of_bytes(). Else nullptr. Has the
+    /// pixels x0 to x0 + count - 1 of a row that will be asked for soon fetched.
+    const std::uint8_t* bytes_row(int x0, int y, int count) const;
     /// Luma, 0 to 1: 0.299 R + 0.587 G + 0.114 B of encoded values (ITU-R BT.601).
     void luma_row(int x0, int y, int count, float* luma) const;
 
@@ -36,6 +39,9 @@ private:
     const float* linear_of_ = nullptr;  ///< sRGB decoding of each sample value; none for floats
     float scale_ = 1;                   ///< a sample times this is 0 to 1
 };
+
+/// Linear light of each sRGB encoded byte.
+const float* linear_of_bytes();
 
 /// Whether a pixel is not opaque.
 bool has_transparency(const AnyImage& image);

@@ -2,6 +2,7 @@
 #include <raster/image/metrics.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -179,12 +180,16 @@ double mean_of(const ImageF& map, const Image8& compared) {
     tiles::parallel_for(sums.size(), [&](std::size_t y) {
         const float* row = map.pixel(0, int(y));
         const std::uint8_t* counts_here = compared.empty() ? nullptr : compared.pixel(0, int(y));
-        double sum = 0;
+        std::int64_t count = 0;
+        std::array<double, 8> parts{};  // side by side, so that they need not wait for each other
         for (int x = 0; x < map.width; ++x) {
             const bool in = counts_here == nullptr || counts_here[x] != 0;
-            sum += in ? double(row[x]) : 0.0;
-            counts[y] += in;
+            parts[std::size_t(x) % parts.size()] += in ? double(row[x]) : 0.0;
+            count += in;
         }
+        counts[y] = count;
+        double sum = 0;
+        for (const double part : parts) sum += part;
         sums[y] = sum;
     });
     double sum = 0;

@@ -56,15 +56,30 @@ RASTER_INLINE void sum(const Filter* filters, int radius, const float* const* ro
     }
 }
 
-/// The weights of both sides, and zeros beyond, so that all sums run over all rows.
+/// The weights of both sides, and a zero beyond each, so that pairs of sums can run over the same rows.
 struct BothSides {
-    float weights[2 * (most_weights + rows_at_once)];
-    int rows;
+    float weights[2 * most_weights + 2];
+    int taps;  ///< without the zeros
 };
+
+/// Adds the rows of data from `begin` to `end` to the sums for the rows of the picture from `first` to `last`.
+template <int first, int last, int packs>
+RASTER_INLINE void add_rows(const BothSides& filter, const float* const* rows, int i, int begin, int end,
+                            Pack (&sums)[rows_at_once][packs]) {
+    for (int row = begin; row < end; ++row) {
+        for (int p = 0; p < packs; ++p) {
+            Pack in;
+            load_pack(in, rows[row] + i + p * pack_size);
+            for (int o = first; o < last; ++o) sums[o][p] += in * filter.weights[row - o + 1];
+        }
+        __builtin_prefetch(rows[row] + i + 4 * packs * pack_size);
+    }
+}
 
 RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows, int count, float* const* out,
                                bool add) {
     constexpr int packs = 2, block = packs * pack_size;
+    static_assert(rows_at_once == 4);
     for (int i = 0; i < (count + row_block - 1) / row_block * row_block; i += block) {
         Pack sums[rows_at_once][packs];
         for (int o = 0; o < rows_at_once; ++o)
@@ -72,14 +87,9 @@ RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows
                 sums[o][p] = Pack{};
                 if (add) load_pack(sums[o][p], out[o] + i + p * pack_size);
             }
-        for (int row = 0; row < filter.rows; ++row) {
-            for (int p = 0; p < packs; ++p) {
-                Pack in;
-                load_pack(in, rows[row] + i + p * pack_size);
-                for (int o = 0; o < rows_at_once; ++o) sums[o][p] += in * filter.weights[row - o + rows_at_once - 1];
-            }
-            __builtin_prefetch(rows[row] + i + 4 * block);
-        }
+        add_rows<0, 2>(filter, rows, i, 0, 2, sums);
+        add_rows<0, 4>(filter, rows, i, 2, filter.taps + 1, sums);
+        add_rows<2, 4>(filter, rows, i, filter.taps + 1, filter.taps + 3, sums);
         for (int o = 0; o < rows_at_once; ++o)
             for (int p = 0; p < packs; ++p) store_pack(out[o] + i + p * pack_size, sums[o][p]);
     }
@@ -121,9 +131,10 @@ void luma_of_bytes(const std::uint8_t* rgb, int count, float* luma) { luma_here(
 void filter_columns(const std::vector<float>& weights, const float* const* rows, int count, float* const* out,
                     bool add) {
     const int radius = int(weights.size()) - 1;
-    BothSides filter = {};
-    filter.rows = 2 * radius + rows_at_once;
-    float* const middle = filter.weights + rows_at_once - 1 + radius;
+    BothSides filter;
+    filter.taps = 2 * radius + 1;
+    filter.weights[0] = filter.weights[filter.taps + 1] = 0;
+    float* const middle = filter.weights + 1 + radius;
     for (int k = 0; k <= radius; ++k) middle[k] = middle[-k] = weights[std::size_t(k)];
     columns_here(filter, rows, count, out, add);
 }
