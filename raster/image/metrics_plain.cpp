@@ -7,6 +7,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include <raster/image/dispatch.h>
 #include <raster/image/pages.h>
 #include <raster/math.h>
 #include <raster/tiles/parallel.h>
@@ -55,33 +56,72 @@ RowSums<T> compare_row(const T* a, const T* b, int width, float* deltas) {
     return sums;
 }
 
+constexpr int byte_block = 256;
+
+/// What a block of a row has: sums that fit, and the largest difference of each pixel.
+struct BlockSums {
+    std::uint32_t absolute = 0, squared = 0;
+    int differing = 0;
+    std::uint8_t most = 0;
+    std::uint8_t largest[byte_block];
+};
+
 /// Bytes, which most pictures have, in loops that compilers turn into vectors.
+template <int channels>
+RASTER_INLINE void compare_block(const std::uint8_t* a, const std::uint8_t* b, int count, BlockSums& sums,
+                                 float* deltas) {
+    const int samples = count * channels;
+    std::uint8_t differences[byte_block * channels];
+    for (int i = 0; i < samples; ++i) {
+        const std::uint8_t larger = a[i] > b[i] ? a[i] : b[i], smaller = a[i] > b[i] ? b[i] : a[i];
+        differences[i] = std::uint8_t(larger - smaller);
+    }
+    std::uint32_t absolute = 0, squared = 0;
+    for (int i = 0; i < samples; ++i) absolute += differences[i];
+    for (int i = 0; i < samples; ++i) squared += std::uint32_t(std::uint16_t(differences[i] * differences[i]));
+    sums.absolute = absolute, sums.squared = squared;
+    for (int x = 0; x < count; ++x) {
+        std::uint8_t d = differences[x * channels];
+        for (int c = 1; c < channels; ++c) {
+            const std::uint8_t other = differences[x * channels + c];
+            d = d > other ? d : other;
+        }
+        sums.largest[x] = d;
+    }
+    std::uint8_t most = 0;
+    int differing = 0;
+    for (int x = 0; x < count; ++x) most = most > sums.largest[x] ? most : sums.largest[x];
+    for (int x = 0; x < count; ++x) differing += sums.largest[x] != 0;
+    for (int x = 0; x < count; ++x) deltas[x] = float(sums.largest[x]);
+    sums.most = most, sums.differing = differing;
+}
+
+#define RASTER_COMPARE_BLOCK(name, channels)                                                                \
+    RASTER_DISPATCHED(name, compare_block<channels>,                                                        \
+                      (const std::uint8_t* a, const std::uint8_t* b, int count, BlockSums& sums, float* deltas), \
+                      (a, b, count, sums, deltas))
+RASTER_COMPARE_BLOCK(compare_block_1, 1)
+RASTER_COMPARE_BLOCK(compare_block_2, 2)
+RASTER_COMPARE_BLOCK(compare_block_3, 3)
+RASTER_COMPARE_BLOCK(compare_block_4, 4)
+#undef RASTER_COMPARE_BLOCK
+
 template <int channels>
 RowSums<std::uint8_t> compare_row(const std::uint8_t* a, const std::uint8_t* b, int width, float* deltas) {
     RowSums<std::uint8_t> sums;
-    constexpr int block = 256;
-    for (int start = 0; start < width; start += block) {
-        const int count = std::min(block, width - start), samples = count * channels;
-        std::uint8_t differences[block * channels], largest[block];
-        for (int i = 0; i < samples; ++i) differences[i] = std::uint8_t(std::max(a[i], b[i]) - std::min(a[i], b[i]));
-        std::uint32_t absolute = 0, squared = 0;  // of a block, they fit
-        for (int i = 0; i < samples; ++i) absolute += differences[i];
-        for (int i = 0; i < samples; ++i) squared += std::uint32_t(std::uint16_t(differences[i] * differences[i]));
-        sums.absolute += absolute, sums.squared += squared;
-        std::uint8_t most = 0;
-        int differing = 0;
-        for (int x = 0; x < count; ++x) {
-            std::uint8_t d = differences[x * channels];
-            for (int c = 1; c < channels; ++c) d = std::max(d, differences[x * channels + c]);
-            largest[x] = d;
-        }
-        for (int x = 0; x < count; ++x) most = std::max(most, largest[x]);
-        for (int x = 0; x < count; ++x) differing += largest[x] != 0;
-        for (int x = 0; x < count; ++x) deltas[start + x] = float(largest[x]);
-        sums.differing += differing;
-        if (float(most) > sums.max)
-            sums.max = most, sums.max_x = start + int(std::find(largest, largest + count, most) - largest);
-        a += samples, b += samples;
+    const auto compare = channels == 1   ? compare_block_1
+                         : channels == 2 ? compare_block_2
+                         : channels == 3 ? compare_block_3
+                                         : compare_block_4;
+    BlockSums block;
+    for (int start = 0; start < width; start += byte_block) {
+        const int count = std::min(byte_block, width - start);
+        compare(a + start * channels, b + start * channels, count, block, deltas + start);
+        sums.absolute += block.absolute, sums.squared += block.squared;
+        sums.differing += block.differing;
+        if (float(block.most) > sums.max)
+            sums.max = block.most,
+            sums.max_x = start + int(std::find(block.largest, block.largest + count, block.most) - block.largest);
     }
     return sums;
 }

@@ -18,10 +18,6 @@ void back_with_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t
     const std::uintptr_t page = std::uintptr_t(::sysconf(_SC_PAGESIZE));
     const std::uintptr_t first = (std::uintptr_t(memory) + page - 1) / page * page;
     const std::uintptr_t end = (std::uintptr_t(memory) + bytes) / page * page;
-#if defined(MADV_HUGEPAGE)
-    // Pages of 2 MB where the system has them: a hundredth of the faults.
-    (void)::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
-#endif
     tiles::parallel_for((end - first + piece - 1) / piece, [&](std::size_t i) {
         const std::uintptr_t start = first + i * piece;
         // Where it fails, as on kernels before 5.14, pages come at the first touch.
