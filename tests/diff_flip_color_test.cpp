@@ -1,4 +1,4 @@
-// diff_flip_color_test.cpp: the colours of FLIP: its cube root, opponent colours, and rows that have the bits of pixels.
+// diff_flip_color_test.cpp: the colours and errors of FLIP: rows have the bits of single pixels.
 #include <raster/image/flip_color.h>
 #include <raster/image/flip_rows.h>
 #include <raster/image/metrics_display.h>
@@ -76,7 +76,9 @@ struct RandomRow {
     explicit RandomRow(Random& random) {
         for (std::size_t p = 0; p < planes.size(); ++p)
             for (int i = 0; i < count; ++i)
-                planes[p].push_back(i % 16 == 0 ? 0.25f : p < 3 ? random.uniform(-60, 60) : random.uniform(-0.6f, 0.6f));
+                planes[p].push_back(i % 16 == 0 ? 0.25f
+                                    : p < 3     ? random.uniform(-60, 60)
+                                                : random.uniform(-0.6f, 0.6f));
     }
     SeenRow row() {
         return {{planes[0].data(), planes[1].data(), planes[2].data()},

@@ -251,7 +251,9 @@ void opponent_colors_of_bytes(const std::uint8_t* rgb, int count, const Planes& 
     }
 #else
     for (int i = 0; i < count; ++i, rgb += 3) {
-        const auto sum = [&](int k) { return table.of[0][rgb[0]][k] + table.of[1][rgb[1]][k] + table.of[2][rgb[2]][k]; };
+        const auto sum = [&](int k) {
+            return table.of[0][rgb[0]][k] + table.of[1][rgb[1]][k] + table.of[2][rgb[2]][k];
+        };
         out.a[i] = sum(1), out.b[i] = sum(0) - sum(1), out.c[i] = sum(1) - sum(2);
     }
 #endif

@@ -132,7 +132,9 @@ public:
     void undo(const Byte* const* in, const Byte* above, Byte* const* out) {
         // Copies, since rows go where the bytes of those before them end.
         for (std::size_t k = 0; k < 4; ++k) std::memcpy(copies_[k].data(), in[k] + 1, size_);
-        const auto all_are = [&](Byte filter) { return std::all_of(in, in + 4, [&](auto row) { return *row == filter; }); };
+        const auto all_are = [&](Byte filter) {
+            return std::all_of(in, in + 4, [&](const Byte* row) { return row[0] == filter; });
+        };
         if (all_are(3))
             return undo(above, out, [](Wide left, Wide above, Wide, int) { return (left + above) >> 1; });
         if (all_are(4))
