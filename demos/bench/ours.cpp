@@ -13,11 +13,10 @@ using namespace raster;
 /// Blinn-Phong with a local viewer, one directional light.
 template <class F>
 vec<3, F> blinn_phong(const vec<3, F>& normal, const vec<3, F>& eye_position, const glm::vec3& to_light) {
-    const vec<3, F> n = glm::normalize(normal), v = glm::normalize(-eye_position), l(to_light);
-    const vec<3, F> h = glm::normalize(l + v);
-    const F n_l = dot0(n, l);
-    const F highlight = select(n_l > F(0), pow_shared(dot0(n, h), exponent), F(0));
-    return vec<3, F>(base_color) * (F(ambient) + F(diffuse) * n_l) + vec<3, F>(F(specular) * highlight);
+    Frame<F> frame;
+    frame.n = normalize_or_zero(normal), frame.v = normalize_or_zero(-eye_position);
+    const Reflectance<F> value = BlinnPhong{exponent}.evaluate(frame, vec<3, F>(to_light));
+    return vec<3, F>(base_color) * (F(ambient) + F(diffuse) * value.diffuse.x) + F(specular) * value.specular;
 }
 
 template <class F>
