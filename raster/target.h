@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <raster/image/image.h>
+#include <raster/image/pages.h>
 #include <raster/stages/blend.h>
 #include <raster/stages/depth.h>
 #include <raster/tiles/scratch.h>
@@ -51,10 +52,14 @@ public:
           height_(height),
           color_format_(color_format),
           depth_format_(depth_format),
-          color8_(color_format == ColorFormat::rgba8 ? pixels() : 0),
-          color_float_(color_format == ColorFormat::rgba_float ? pixels() : 0),
-          depth_(pixels()),
-          extra_(std::size_t(extra_channels), std::vector<float>(pixels())) {
+          extra_(std::size_t(extra_channels)) {
+        if (color_format == ColorFormat::rgba8) {
+            resize_whole(color8_, pixels());
+        } else {
+            resize_whole(color_float_, pixels());
+        }
+        resize_whole(depth_, pixels());
+        for (auto& plane : extra_) resize_whole(plane, pixels());
         clear({0, 0, 0, 0});
     }
 
