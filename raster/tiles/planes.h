@@ -58,11 +58,16 @@ struct alignas(16) ShadingPlanes {
 
 namespace detail {
 
-/// The corners of a triangle in setup order, as numbers among the shaded vertices.
+/// In which order the corners of a triangle that faces so are set up.
+inline auto corner_order(const DrawContext& draw, bool front_facing) {
+    const bool counter_clockwise = front_facing == (draw.state.front_face == FrontFace::counter_clockwise);
+    return setup_order(counter_clockwise ? 1 : -1);
+}
+
+/// The corners of a triangle in that order, as numbers among the shaded vertices.
 inline std::array<std::int32_t, 3> ordered_corners(const DrawContext& draw, std::uint32_t triangle, bool front_facing) {
     const auto corners = draw.corners(triangle);
-    const bool counter_clockwise = front_facing == (draw.state.front_face == FrontFace::counter_clockwise);
-    const auto order = setup_order(counter_clockwise ? 1 : -1);
+    const auto order = corner_order(draw, front_facing);
     std::array<std::int32_t, 3> r;
     for (std::size_t c = 0; c < 3; ++c) r[c] = std::int32_t(corners[std::size_t(order[c])] - draw.first_vertex);
     return r;
@@ -89,16 +94,15 @@ inline ShadingPlanes<S> make_shading_planes(const ShadingContext<S>& context, co
     const std::uint32_t triangle = large ? large->triangle : slot.entry;
     std::array<const VaryingArray<S>*, 3> varyings;
     std::array<WindowVertex<float>, 3> window;
-    const auto corners = detail::ordered_corners(draw, triangle, slot.front_facing);
     if (large && large->piece >= 0) {
-        const bool counter_clockwise = slot.front_facing == (draw.state.front_face == FrontFace::counter_clockwise);
-        const auto order = setup_order(counter_clockwise ? 1 : -1);
+        const auto order = detail::corner_order(draw, slot.front_facing);
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t from = std::size_t(order[c]);
             window[c] = large->window[from];
             varyings[c] = &context.piece_varyings[slot.chunk][std::size_t(large->piece)][from];
         }
     } else {
+        const auto corners = detail::ordered_corners(draw, triangle, slot.front_facing);
         for (std::size_t c = 0; c < 3; ++c) {
             window[c] = draw.window[std::size_t(corners[c])];
             varyings[c] = &context.varyings[std::size_t(corners[c])];

@@ -11,7 +11,7 @@ std::uint64_t pixels_in_target(const Target& target, int x, int y) {
               rows = std::clamp(target.height() - y, 0, block_size);
     if (columns == 0 || rows == 0) return 0;
     const std::uint64_t row = 0xff >> (block_size - columns);
-    return (row * 0x0101010101010101u) & (~std::uint64_t(0) >> (block_size * (block_size - rows)));
+    return (row * first_column) & (~std::uint64_t(0) >> (block_size * (block_size - rows)));
 }
 
 namespace {

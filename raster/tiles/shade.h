@@ -50,6 +50,8 @@ struct ShadingColumn {
             depth = column_at(plane, px);
             triangle = as_int(triangle_bits);
             front_facing = as_int(front_bits) != Int<F>(0);
+        } else {
+            depth = {F(0), F(0)}, depth_offset = F(0), triangle = Int<F>(0), front_facing = Mask<F>(false);
         }
     }
 };
@@ -141,6 +143,18 @@ inline void for_packs(const Target& target, int x, int y, std::uint64_t mask, co
     }
 }
 
+/// Shades the columns from x on of the rows y0 and y1, where their bits are set.
+template <HasFragment S>
+inline void shade_two_rows(const S& shader, const ShadingColumn<S, FloatPair>& column, Target& target, Blend blend,
+                           int x, int y0, std::uint32_t bits0, int y1, std::uint32_t bits1) {
+    const FloatPair py(FloatPair::V{FloatN(float(y0)).v, FloatN(float(y1)).v});
+    const OutputArray<S, FloatPair> out = shade_pixels<S, FloatPair>(shader, column, py);
+    OutputArray<S, FloatN> out0, out1;
+    for (std::size_t i = 0; i < out.size(); ++i) out0[i] = out[i].v.half[0], out1[i] = out[i].v.half[1];
+    if (bits0) write_row<S>(target, target.index(x, y0), bits0, blend, out0);
+    if (bits1) write_row<S>(target, target.index(x, y1), bits1, blend, out1);
+}
+
 /// Shades pixels of one triangle in the block that begins at pixel (x, y) of the target; `mask` holds pixels of the target
 /// only. With shade_mixed the place where a draw runs its shader's fragment function.
 template <HasFragment S>
@@ -173,12 +187,7 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
             const std::uint32_t bits0 = take_row(row0);
             row1 = row0;
             const std::uint32_t bits1 = rest ? take_row(row1) : 0;
-            FloatPair py(FloatPair::V{FloatN(float(y + row0)).v, FloatN(float(y + row1)).v});
-            const OutputArray<S, FloatPair> out = shade_pixels<S, FloatPair>(shader, column, py);
-            OutputArray<S, FloatN> out0, out1;
-            for (std::size_t i = 0; i < out.size(); ++i) out0[i] = out[i].v.half[0], out1[i] = out[i].v.half[1];
-            write_row<S>(target, target.index(x + c, y + row0), bits0, blend, out0);
-            if (bits1) write_row<S>(target, target.index(x + c, y + row1), bits1, blend, out1);
+            shade_two_rows(shader, column, target, blend, x + c, y + row0, bits0, y + row1, bits1);
         }
     }
 }
@@ -217,12 +226,7 @@ RASTER_FLATTEN void shade_mixed(const S& shader_in, const ShadingPlanes<S>* plan
             const IntN which1 = select(mask_of_bits<FloatN>(bits1), load_int<FloatN>(owner1), any_owner);
             ShadingColumn<S, FloatPair> column(planes, Int<FloatPair>(Int<FloatPair>::V{which0.v, which1.v}),
                                                FloatPair(FloatPair::V{px.v, px.v}));
-            const OutputArray<S, FloatPair> out = shade_pixels<S, FloatPair>(
-                shader, column, FloatPair(FloatPair::V{FloatN(float(y + row)).v, FloatN(float(y + row + 1)).v}));
-            OutputArray<S, FloatN> out0, out1;
-            for (std::size_t i = 0; i < out.size(); ++i) out0[i] = out[i].v.half[0], out1[i] = out[i].v.half[1];
-            if (bits0) write_row<S>(target, target.index(x + c, y + row), bits0, Blend::off, out0);
-            if (bits1) write_row<S>(target, target.index(x + c, y + row + 1), bits1, Blend::off, out1);
+            shade_two_rows(shader, column, target, Blend::off, x + c, y + row, bits0, y + row + 1, bits1);
         }
     }
 }
