@@ -12,6 +12,7 @@
 
 #include <raster/image/limits.h>
 #include <raster/image/malloc_block.h>
+#include <raster/image/png_runs.h>
 
 namespace raster {
 namespace {
@@ -161,19 +162,13 @@ Result<Bytes> encode_png(const Image16& image) {
 Result<Bytes> encode_png(const IndexedImage& image) {
     if (const Status status = check_image(image.indices); !status) return status.error();
     try {
-        // Numbers of colours have no slope to predict: each row is led by the filter "none", 0.
-        const std::size_t width = std::size_t(image.indices.width), height = std::size_t(image.indices.height);
-        std::vector<unsigned char> rows((1 + width) * height);
-        for (std::size_t y = 0; y < height; ++y)
-            std::memcpy(rows.data() + y * (1 + width) + 1, image.indices.pixel(0, int(y)), width);
-        int size = 0;
-        const MallocBlock<unsigned char> compressed(zlib_compress(rows.data(), int(rows.size()), &size, 0));
-        if (!compressed) return no_memory();
+        // Numbers of colours have no slope to predict: no filters.
+        const Bytes packed = pack_runs(image.indices);
         const auto header = image_header(image.indices.width, image.indices.height, 8, indexed_color_type);
         PngFile file;
         file.chunk("IHDR", header.data(), header.size());
         file.chunk("PLTE", image.palette.data(), 3 * image.palette.size());
-        file.chunk("IDAT", compressed.get(), std::size_t(size));
+        file.chunk("IDAT", packed.data(), packed.size());
         file.chunk("IEND", nullptr, 0);
         return file.take();
     } catch (const std::bad_alloc&) {

@@ -1,0 +1,90 @@
+// image_png_runs_test.cpp: what pack_runs packs, libdeflate unpacks, checksum included.
+#include <raster/image/png_runs.h>
+
+#include <libdeflate.h>
+
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#if !defined(RASTER_NO_THREADS)
+#include <tbb/task_arena.h>
+#endif
+
+#include <gtest/gtest.h>
+
+#include "random.h"
+
+namespace {
+
+using raster::Bytes;
+using raster::Image8;
+using raster::pack_runs;
+using raster::testing::Random;
+
+void expect_unpacks(const Image8& image) {
+    const std::size_t width = std::size_t(image.width), rows = std::size_t(image.height);
+    Bytes expected(rows * (width + 1));
+    for (std::size_t y = 0; y < rows; ++y)
+        std::memcpy(expected.data() + y * (width + 1) + 1, image.pixel(0, int(y)), width);
+    const Bytes packed = pack_runs(image);
+    Bytes unpacked(expected.size());
+    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    ASSERT_EQ(libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(), unpacked.data(),
+                                         unpacked.size(), nullptr),
+              LIBDEFLATE_SUCCESS)
+        << width << "x" << rows;
+    EXPECT_TRUE(unpacked == expected) << width << "x" << rows;
+}
+
+Image8 made_of(int width, int height, const std::function<int()>& color) {
+    Image8 image(width, height, 1);
+    for (std::uint8_t& sample : image.samples) sample = std::uint8_t(color());
+    return image;
+}
+
+TEST(PngRuns, NoiseOfAnyNumberOfColoursUnpacks) {
+    Random random(40);
+    for (const int colors : {1, 2, 3, 33, 256})
+        for (const auto& [width, height] : {std::pair(1, 1), {2, 3}, {5, 1}, {1000, 7}, {700, 900}})
+            expect_unpacks(made_of(width, height, [&] { return random.integer(0, colors - 1); }));
+}
+
+TEST(PngRuns, RunsOfEveryLengthUnpack) {
+    Image8 image(1200, 1200, 1);
+    for (int length = 1; length <= image.height; ++length) {
+        std::uint8_t* const row = image.pixel(0, length - 1);
+        for (int x = 0; x < image.width; ++x) row[x] = std::uint8_t(x / length % 2 == 0 ? 200 : 0);
+    }
+    expect_unpacks(image);
+}
+
+TEST(PngRuns, CodesAreNeverLongerThanDeflateAllows) {
+    // Counts like Fibonacci's numbers would make codes of 21 bits.
+    Image8 image(1, 1 << 17, 1);
+    std::size_t next = 0;
+    for (std::size_t color = 1, count = 1, later = 1; next < image.samples.size(); ++color) {
+        for (std::size_t i = 0; i < count && next < image.samples.size(); ++i)
+            image.samples[next++] = std::uint8_t(color);
+        count = std::exchange(later, count + later);
+    }
+    expect_unpacks(image);
+}
+
+TEST(PngRuns, AWholeColourIsNextToNothing) { EXPECT_LT(pack_runs(Image8(3840, 2160, 1, 7)).size(), 20'000u); }
+
+#if !defined(RASTER_NO_THREADS)
+TEST(PngRuns, AreTheSameForEveryNumberOfThreads) {
+    Random random(41);
+    const Image8 image = made_of(900, 900, [&] { return random.integer(0, 3); });
+    const Bytes all = pack_runs(image);
+    for (const int threads : {1, 2, 3}) {
+        tbb::task_arena arena(threads);
+        EXPECT_TRUE(arena.execute([&] { return pack_runs(image); }) == all) << threads;
+    }
+}
+#endif
+
+}  // namespace
