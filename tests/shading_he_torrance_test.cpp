@@ -67,6 +67,47 @@ TEST(HeTorranceParts, BeyondTheSeriesItsExpansionIsNear) {
     }
 }
 
+/// The directional diffuse part of one channel without Fresnel's factor; light and viewer on opposite sides.
+double exact_directional(const HeTorrance& m, double c_l, double c_v, double wavelength) {
+    const double pi = 3.14159265358979, sigma = double(m.sigma), tau = double(m.tau);
+    const auto tangent = [](double c) { return std::sqrt(1 - c * c) / c; };
+    const auto k = [&](double c) { return tangent(c) * std::erfc(tau / (2 * sigma * tangent(c))); };
+    const auto seen = [&](double c) {
+        const double nu = tau / (2 * sigma * tangent(c));
+        const double hidden = (std::exp(-nu * nu) / (nu * std::sqrt(pi)) - std::erfc(nu)) / 2;
+        return (1 - std::erfc(nu) / 2) / (1 + hidden);
+    };
+    const double right = (k(c_l) + k(c_v)) / 4;
+    double x = 0, high = 20;
+    for (int i = 0; i < 80; ++i) {
+        const double middle = (x + high) / 2;
+        (std::sqrt(pi / 2) * middle > right * std::exp(-middle * middle / 2) ? high : x) = middle;
+    }
+    const double s_l = std::sqrt(1 - c_l * c_l), s_v = std::sqrt(1 - c_v * c_v), sum = c_l + c_v;
+    const double tilt = (s_l - s_v) * (s_l - s_v), length2 = sum * sum + tilt;
+    const double phase = 2 * pi / wavelength * sigma / std::sqrt(1 + x * x) * sum;
+    const double series = exact_series(phase * phase, tilt * std::pow(pi * tau / wavelength, 2));
+    return std::pow(length2 / sum * pi * tau / wavelength, 2) / 4 * series / c_v * seen(c_l) * seen(c_v);
+}
+
+TEST(HeTorrance, IsThePapersFormulaUpToTheEdgeOfTheSurface) {
+    HeTorrance model;
+    model.fresnel = mirror;
+    model.sigma = 0.25f;
+    model.source_degrees = 0.01f;  // of the mirror part nothing is seen here
+    for (const double c_l : {0.9, 0.5}) {
+        for (const double c_v : {0.8, 0.2, 0.01, 1e-3, 1e-4, 1e-5, 1e-6}) {
+            const glm::vec3 l(-float(std::sqrt(1 - c_l * c_l)), 0, float(c_l));
+            const glm::vec3 v(float(std::sqrt(1 - c_v * c_v)), 0, float(c_v));
+            const auto value = model.evaluate(flat_frame(v), l).specular;
+            for (int c = 0; c < 3; ++c) {
+                const double expected = exact_directional(model, c_l, c_v, double(model.wavelength[c]));
+                EXPECT_NEAR(value[c], expected, 1e-3 * expected + 1e-5) << c_l << " " << c_v << " " << c;
+            }
+        }
+    }
+}
+
 TEST(HeTorrance, ASmoothSurfaceIsAMirror) {
     HeTorrance model;
     model.fresnel = mirror;

@@ -18,7 +18,7 @@ inline F erfc(F x) {
 template <class F>
 inline F smith(F c, float shape) {
     const F cot = c / sqrt(max(F(1) - c * c, F(1e-8f)));
-    const F nu = max(cot * shape, F(1e-6f));
+    const F nu = max(cot * shape, F(1e-9f));
     const F tail = erfc(nu);
     const F hidden = F(0.5f) * (raster::exp(-(nu * nu)) / (nu * 1.77245385f) - tail);
     return (F(1) - F(0.5f) * tail) / (F(1) + max(hidden, F(0)));

@@ -147,7 +147,7 @@ float erfc(float x) {
 }
 float cotangent(float c) { return c / sqrt(max(1.0 - c * c, 1e-8)); }
 float seen(float c) {
-    float x = max(cotangent(c) * tau / (2.0 * sigma), 1e-6);
+    float x = max(cotangent(c) * tau / (2.0 * sigma), 1e-9);
     return (1.0 - 0.5 * erfc(x)) / (1.0 + 0.5 * max(exp(-x * x) / (x * sqrt(pi)) - erfc(x), 0.0));
 }
 float hidden_slopes(float c) { return erfc(cotangent(c) * tau / (2.0 * sigma)) / cotangent(c); }

@@ -21,7 +21,6 @@ struct ModelScene {
     std::string name;
     Model model;
     RenderOptions options;
-    bool few_twice = false;  ///< ten pixels may differ by 2/255
 };
 
 /// A directional light at the viewer's shoulder and a point light behind the model, which shows what happens at grazing
@@ -129,7 +128,6 @@ std::vector<ModelScene> substance_scenes() {
         ModelScene s = scene("vase of " + std::string(name), Lambert{}, vase(48));
         s.options.reflectance_from_material = true;
         s.options.default_material = *find_material(name);
-        s.few_twice = name == "ground-aluminium";
         scenes.push_back(std::move(s));
     }
     ModelScene turned = scene("vase of brushed aluminium, its grain turned", Lambert{}, vase(48));
@@ -137,6 +135,11 @@ std::vector<ModelScene> substance_scenes() {
     turned.options.default_material = *find_material("brushed-aluminium");
     turned.options.default_material.anisotropy_rotation = 0.1f;
     scenes.push_back(std::move(turned));
+    // Aluminium seen edge-on at the rims, where the effective roughness depends on the last digits of n v.
+    ModelScene rims = scene("torus of ground-aluminium", Lambert{}, torus());
+    rims.options.reflectance_from_material = true;
+    rims.options.default_material = *find_material("ground-aluminium");
+    scenes.push_back(std::move(rims));
     ModelScene watts = scene("sphere, Cook-Torrance, 40 W/sr", CookTorrance{copper, 0.4f}, sphere());
     Light lamp;
     lamp.kind = LightKind::point;
@@ -146,18 +149,6 @@ std::vector<ModelScene> substance_scenes() {
     watts.options.lights = {lamp};
     scenes.push_back(std::move(watts));
     return scenes;
-}
-
-/// The pixels of which a channel differs by more than 1/255.
-std::ptrdiff_t above_one(const Picture& a, const Picture& b) {
-    std::ptrdiff_t count = 0;
-    for (std::size_t i = 0; i < a.color.size(); ++i) {
-        int largest = 0;
-        for (int shift = 0; shift < 32; shift += 8)
-            largest = std::max(largest, std::abs(int(a.color[i] >> shift & 255) - int(b.color[i] >> shift & 255)));
-        count += largest > 1;
-    }
-    return count;
 }
 
 void compare_all(const std::vector<ModelScene>& scenes) {
@@ -171,10 +162,7 @@ void compare_all(const std::vector<ModelScene>& scenes) {
         const auto& [ours, theirs] = pair;
         const Difference difference = compare(ours, theirs);
         EXPECT_EQ(difference.depth_pixels, 0u) << s.name;
-        EXPECT_LE(difference.largest, s.few_twice ? 2 : 1) << s.name;
-        if (s.few_twice) {
-            EXPECT_LE(above_one(ours, theirs), 10) << s.name;
-        }
+        EXPECT_LE(difference.largest, 1) << s.name;
         // What is black or white all over compares nothing.
         std::size_t drawn = 0, between = 0;
         for (std::size_t i = 0; i < theirs.depth.size(); ++i) {
