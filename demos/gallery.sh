@@ -3,15 +3,16 @@
 #   bash demos/run.sh gallery          full size
 #   bash demos/run.sh gallery --docs   small ones and their page, docs/gallery.md
 #
-# $RASTER and $CURVES may name the programs raster and raster_curves where they are built already.
+# $RASTER, $CURVES and $BSSRDF may name the programs raster, raster_curves and raster_bssrdf where they are built already.
 small=
 if [ "${1:-}" = --docs ]; then small=yes; fi
 install_packages "${build_packages[@]}" "${model_packages[@]}" gnuplot-nox
 raster=${RASTER:-build/demo/raster/tool/raster}
 curves=${CURVES:-build/demo/demos/gallery/raster_curves}
+bssrdf=${BSSRDF:-build/demo/demos/gallery/raster_bssrdf}
 if [ -z "${RASTER:-}" ]; then
     configure_and_build demo -DRASTER_MARCH="$march"
-    cmake --build build/demo --target raster_curves -j "$(nproc)"
+    cmake --build build/demo --target raster_curves raster_bssrdf -j "$(nproc)"
 fi
 folder=out/gallery
 page=out/gallery/index.html
@@ -122,8 +123,8 @@ if [ -n "$small" ]; then
     put "# Gallery" "" \
         "The figures of the lectures, drawn by the command. \`bash demos/run.sh gallery\` draws them large, into" \
         "\`out/gallery/index.html\`; this page comes from \`bash demos/run.sh gallery --docs\`. The numbers of" \
-        "the curves come of the command too, or of \`raster_curves\`, which the demo builds from" \
-        "[curves.cpp](../demos/gallery/curves.cpp)."
+        "the curves come of the command too, or of \`raster_curves\` and \`raster_bssrdf\`, which the demo builds from" \
+        "[curves.cpp](../demos/gallery/curves.cpp) and [bssrdf.cpp](../demos/gallery/bssrdf.cpp)."
 else
     cat >"$new_page" <<'HTML'
 <!DOCTYPE html>
@@ -141,7 +142,7 @@ code { display: block; font-size: 12px; overflow-wrap: anywhere; opacity: 0.8; }
 </style></head><body>
 <h1>The gallery</h1>
 <p>The figures of the lectures, drawn by the command below each of them. The numbers of the curves come of the command
-too, or of raster_curves, which the demo builds from demos/gallery/curves.cpp.</p>
+too, or of raster_curves and raster_bssrdf, which the demo builds from demos/gallery/curves.cpp and bssrdf.cpp.</p>
 HTML
 fi
 echo "Figures:"

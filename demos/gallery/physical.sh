@@ -117,5 +117,19 @@ plot [0:15] [0:*] '$data/components' using 1:2 with linespoints pt 7 ps 0.5 lc r
 GNUPLOT
 
 figure R10 "Light below the surface" \
-    "Marble and skin let light in, which comes out again elsewhere. Jensen's BSSRDF, taken as a BRDF under even light, is F Rd / pi plus single scattering: it softens the terminator and whitens the outline. What a BRDF cannot show, light that leaves at another place than where it came in, is missing: shadows do not bleed and thin parts do not glow."
+    "Marble and skin let light in, which comes out again elsewhere. Jensen's BSSRDF, taken as a BRDF under even light, is F Rd / pi plus single scattering: it softens the terminator and whitens the outline. What a BRDF cannot show is light that leaves at another place than where it came in. The dipole of the paper says how much does at each distance, and summed over all of a sphere's surface it shows what is left out: light creeps beyond the terminator, red farther than blue. On a plane half of which is lit the BRDF has a step at the edge, the BSSRDF a slope some millimetres wide."
 picture translucent 720x370 "Marble, skin, milk, ketchup; below them the same colours by Lambert" $scenes/translucent.json
+"$bssrdf" spheres >"$data/spheres.obj"
+before="raster_bssrdf spheres >spheres.obj"
+picture bssrdf 720x200 "Spheres of 20 mm, lit from the left: marble by its BRDF and by its BSSRDF, skin by its BRDF and by its BSSRDF" "$data/spheres.obj" --material color=1:specular=0 --light ambient:color=1 --display srgb --background 0.1 --camera-position 0,0,30 --camera-focal-point 0,0,0 --camera-view-angle 4.7
+before=
+"$bssrdf" edge >"$data/edge"
+from="raster_bssrdf edge"
+plot bssrdf_edge "What leaves a plane that is lit on the left of 0, over what arrives" <<GNUPLOT
+set xlabel 'mm'; set ylabel 'radiosity over irradiance'; set key top right
+plot [-8:8] [0:1] '$data/edge' using 1:8 lc rgb '#999999' lw 1.5 dt 2 title 'marble, BRDF, green', \
+    '' using 1:2 lc rgb '#c00000' lw 2 title 'marble, red', '' using 1:3 lc rgb '#008000' lw 2 title 'green', \
+    '' using 1:4 lc rgb '#0000c0' lw 2 title 'blue', '' using 1:9 lc rgb '#999999' lw 1.5 dt 3 title 'skin, BRDF, green', \
+    '' using 1:5 lc rgb '#c00000' lw 1.5 dt 4 title 'skin, red', '' using 1:6 lc rgb '#008000' lw 1.5 dt 4 title 'green', \
+    '' using 1:7 lc rgb '#0000c0' lw 1.5 dt 4 title 'blue'
+GNUPLOT

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <raster/scene/material_model.h>
 #include <raster/shading/materials.h>
 #include <raster/shading/measured_bake.h>
 
@@ -84,6 +85,17 @@ void print_furnace() {
             std::printf(" %.3f |", furnace(model, angle, diffuse ? 1.0f : 0.0f, diffuse ? 0.0f : 1.0f));
         std::printf(" %.1e |\n", reciprocity_error(*find_reflectance(name)));
     }
+    const auto on_white = [](const char* name, const Material& layers) {
+        const AnyReflectance model = finish(layers, Lambert{}).reflectance;
+        std::printf("| %s on lambert | both |", name);
+        for (const double angle : {0.0, 40.0, 60.0, 75.0, 85.0}) std::printf(" %.3f |", furnace(model, angle, 1, 1));
+        std::printf(" %.1e |\n", reciprocity_error(model));
+    };
+    Material varnish, fibres;
+    varnish.clearcoat = fibres.sheen = 1;
+    varnish.clearcoat_roughness = 0.5f;
+    on_white("clear coat", varnish);
+    on_white("sheen", fibres);
 }
 
 void print_empirical() {
