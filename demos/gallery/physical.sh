@@ -66,7 +66,7 @@ figure R7 "Anisotropy: brushed metal, satin, velvet" \
 picture cylinders 960x210 "Brushed aluminium, satin, velvet: upright and turned" $scenes/cylinders.json
 picture grain 640x190 "The same cylinder with its grain turned by 0, 45, 90 and 135 degrees" $scenes/grain.json
 
-figure R7 "Layers: varnish and fibres" \
+figure MTL "Layers: varnish and fibres" \
     "Many surfaces are two: paint below varnish, cloth with fine fibres that stand off. A layer reflects first, and what is below it gets the rest, once on the way in and once on the way out: varnished clay is darker where the varnish mirrors, most of all at the outline. Varnish is colourless, so that its highlight on copper is white; fibres glow where one looks along the surface. These are the keys Pc, Pcr and Ps of MTL files."
 picture layers 960x190 "Red clay: bare, under smooth and rough varnish, under fibres; rough copper: bare, under varnish" $scenes/layers.json
 
@@ -117,7 +117,7 @@ plot [0:15] [0:*] '$data/components' using 1:2 with linespoints pt 7 ps 0.5 lc r
 GNUPLOT
 
 figure R10 "Light below the surface" \
-    "Marble and skin let light in, which comes out again elsewhere. Jensen's BSSRDF, taken as a BRDF under even light, is F Rd / pi plus single scattering: it softens the terminator and whitens the outline. What a BRDF cannot show is light that leaves at another place than where it came in. The dipole of the paper says how much does at each distance, and summed over all of a sphere's surface it shows what is left out: light creeps beyond the terminator, red farther than blue. On a plane half of which is lit the BRDF has a step at the edge, the BSSRDF a slope some millimetres wide."
+    "Marble and skin let light in, which comes out again elsewhere. Jensen's BSSRDF, taken as a BRDF under even light, is F Rd / pi plus single scattering: it softens the terminator and whitens the outline. What a BRDF cannot show is light that leaves at another place than where it came in. The dipole of the paper says how much does at each distance, and summed over all of a sphere's surface it shows what is left out: light creeps beyond the terminator, red farther than blue (the dipole is that of a flat half space, and near the truth on a sphere that is large beside the light's way). On a plane half of which is lit the BRDF has a step at the edge, the BSSRDF a slope some millimetres wide."
 picture translucent 720x370 "Marble, skin, milk, ketchup; below them the same colours by Lambert" $scenes/translucent.json
 "$bssrdf" spheres >"$data/spheres.obj"
 before="raster_bssrdf spheres >spheres.obj"
