@@ -7,14 +7,14 @@
 
 namespace raster {
 
-std::string base64(std::span<const std::byte> bytes) {
+void base64(std::span<const std::byte> bytes, std::string& text) {
     static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     static const std::vector<std::array<char, 2>> pairs = [] {
         std::vector<std::array<char, 2>> table;
         for (int i = 0; i < 4096; ++i) table.push_back({digits[i >> 6], digits[i & 63]});
         return table;
     }();
-    std::string text((bytes.size() + 2) / 3 * 4, '=');
+    text.resize((bytes.size() + 2) / 3 * 4);
     char* out = text.data();
     const auto* in = reinterpret_cast<const unsigned char*>(bytes.data());
     std::size_t left = bytes.size();
@@ -26,8 +26,14 @@ std::string base64(std::span<const std::byte> bytes) {
     if (left > 0) {
         const unsigned bits = unsigned(in[0]) << 16 | (left == 2 ? unsigned(in[1]) << 8 : 0);
         std::copy_n(pairs[bits >> 12].data(), 2, out);
-        if (left == 2) out[2] = digits[bits >> 6 & 63];
+        out[2] = left == 2 ? digits[bits >> 6 & 63] : '=';
+        out[3] = '=';
     }
+}
+
+std::string base64(std::span<const std::byte> bytes) {
+    std::string text;
+    base64(bytes, text);
     return text;
 }
 

@@ -13,5 +13,7 @@ std::string data_url(const char* type, const Bytes& bytes);
 
 /// base64 alone. Of a multiple of 3 bytes it has no padding: such pieces may be put one behind the other.
 std::string base64(std::span<const std::byte> bytes);
+/// The same into a string that is there, which need not grow then.
+void base64(std::span<const std::byte> bytes, std::string& text);
 
 }  // namespace raster

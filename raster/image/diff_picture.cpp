@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include <raster/image/diff_steps.h>
 #include <raster/image/metrics_display.h>
+#include <raster/image/pages.h>
 #include <raster/math.h>
 #include <raster/tiles/parallel.h>
 
@@ -45,6 +47,14 @@ std::vector<Rgb8> difference_palette() {
 std::uint8_t failing(float share_of_peak) {
     const float t = min(sqrt(share_of_peak), 1.0f);
     return std::uint8_t(failing_index + int(t * float(failing_steps - 1)));
+}
+
+IndexedImage indexed(int width, int height, std::vector<Rgb8> palette) {
+    IndexedImage image;
+    image.indices.width = width, image.indices.height = height, image.indices.channels = 1;
+    resize_whole(image.indices.samples, std::size_t(width) * std::size_t(height));
+    image.palette = std::move(palette);
+    return image;
 }
 
 /// A panel of the triptych: how the picture's pixels map to it.
@@ -159,7 +169,7 @@ Image8 displayed(const AnyImage& image) {
 
 IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff) {
     const Display display(expected, white);
-    IndexedImage out = {Image8(display.width(), display.height(), 1), difference_palette()};
+    IndexedImage out = indexed(display.width(), display.height(), difference_palette());
     const int bits = diff_steps::shape_of(expected).bits, width = display.width();
     const float peak = bits == 8 ? 255.0f : bits == 16 ? 65535.0f : 1.0f;
     std::vector<std::uint8_t> by_delta;  // for whole numbers; 0: a grey
@@ -212,7 +222,7 @@ Image8 difference_picture(const AnyImage& expected, const Diff& diff) {
 }
 
 IndexedImage flip_picture(const Diff& diff) {
-    IndexedImage out = {Image8(diff.flip_map.width, diff.flip_map.height, 1), {}};
+    IndexedImage out = indexed(diff.flip_map.width, diff.flip_map.height, {});
     constexpr int steps = 32;
     for (int step = 0; step < steps; ++step) {
         const std::uint8_t grey = to_byte(float(step) / float(steps - 1));

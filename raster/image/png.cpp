@@ -57,7 +57,11 @@ Error no_memory() { return {ErrorKind::input_output, "PNG: not enough memory to 
 /// Lays out the file: signature, then chunks of length, type, data and checksum (PNG, section 5).
 class PngFile {
 public:
-    PngFile() { append("\x89PNG\r\n\x1a\n", 8); }
+    /// Of about so many bytes in all chunks.
+    explicit PngFile(std::size_t bytes) {
+        bytes_.reserve(bytes + 100);
+        append("\x89PNG\r\n\x1a\n", 8);
+    }
 
     void chunk(const char* type, const void* data, std::size_t size) {
         append_u32(std::uint32_t(size));
@@ -149,7 +153,7 @@ Result<Bytes> encode_png(const Image16& image) {
         const MallocBlock<unsigned char> compressed(zlib_compress(filtered.data(), int(filtered.size()), &size, 0));
         if (!compressed) return no_memory();
         const auto header = image_header(image.width, image.height, 16, color_types[image.channels - 1]);
-        PngFile file;
+        PngFile file{std::size_t(size)};
         file.chunk("IHDR", header.data(), header.size());
         file.chunk("IDAT", compressed.get(), std::size_t(size));
         file.chunk("IEND", nullptr, 0);
@@ -165,7 +169,7 @@ Result<Bytes> encode_png(const IndexedImage& image) {
         // Numbers of colours have no slope to predict: no filters.
         const Bytes packed = pack_runs(image.indices);
         const auto header = image_header(image.indices.width, image.indices.height, 8, indexed_color_type);
-        PngFile file;
+        PngFile file{packed.size() + 3 * image.palette.size()};
         file.chunk("IHDR", header.data(), header.size());
         file.chunk("PLTE", image.palette.data(), 3 * image.palette.size());
         file.chunk("IDAT", packed.data(), packed.size());

@@ -81,6 +81,7 @@ bool read_chunks(File file, Contents& contents) {
         return true;
     }
     contents.joined.reserve(total);
+    back_with_pages(contents.joined.data(), total);
     for (const File piece : pieces) contents.joined.insert(contents.joined.end(), piece.begin(), piece.end());
     contents.data = contents.joined;
     return true;

@@ -14,12 +14,13 @@ namespace {
 
 void write_text(std::string_view text, const Sink& sink) { sink(std::as_bytes(std::span(text))); }
 
-/// A data URL, in pieces that stay in the cache: pictures have megabytes. One is encoded while the last is written.
+/// A data URL, in pieces: pictures have megabytes. One is encoded while the last is written; they are large enough that
+/// another thread has time to join in.
 void write_url(const Bytes& picture, const Sink& sink) {
     const char* type = picture_type(picture);
     if (type == nullptr) return;
     write_text(std::string("data:") + type + ";base64,", sink);
-    constexpr std::size_t piece = 3 << 17;
+    constexpr std::size_t piece = 3 << 19;
     std::string written, next;
     for (std::size_t start = 0; start < picture.size() + piece; start += piece) {
         std::swap(written, next);
@@ -29,7 +30,7 @@ void write_url(const Bytes& picture, const Sink& sink) {
             else if (start >= picture.size())
                 next.clear();
             else
-                next = base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start)));
+                base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start)), next);
         });
     }
 }
