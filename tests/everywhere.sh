@@ -63,7 +63,7 @@ unset EM_CACHE
 # A room is compiled at one go, as in the project's own builds; what takes long is compiled alone.
 alone=(tests/everywhere/*.cpp raster/scene/render_*.cpp raster/shading/*_bake.cpp raster/target.cpp)
 rooms=("tiles raster/tiles/*.cpp" "visibility raster/visibility/*.cpp" "shading raster/shading/!(*_bake).cpp"
-    "scene raster/scene/!(observe*|render_*).cpp" "image raster/image/{decode,file,pages,png_reader,pnm,stb_reader}.cpp")
+    "scene raster/scene/!(observe*|render_*).cpp" "image raster/image/{decode,file,pages,png_filters,png_reader,pnm,stb_reader}.cpp")
 mkdir -p "$out/rooms"
 sources=("${alone[@]}")
 for room in "${rooms[@]}"; do
