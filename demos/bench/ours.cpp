@@ -139,12 +139,7 @@ Ours::Ours(const Scene& scene, int width, int height)
       target_(width, height),
       clip_from_eye_(projection(width, height)),
       clip_from_world_(raster::product(clip_from_eye_, scene.eye_from_world)),
-      normals_(scene.eye_from_world) {
-    if (scene.shading == Shading::textured) {
-        texture_.width = texture_.height = texture_size;
-        for (const std::uint32_t t : make_texture()) texture_.texels.push_back(std::int32_t(t));
-    }
-}
+      normals_(scene.eye_from_world) {}
 
 /// The pixel shader that a picture of a model gets, with the model's default parameters but a metal for cook-torrance.
 void Ours::draw_reflectance(const State& state) {
@@ -197,10 +192,10 @@ void Ours::frame() {
             break;
         case Shading::reflectance: draw_reflectance(state); break;
         case Shading::textured:
-            raster::draw(
-                target_,
-                Textured{clip_from_world_, normals_, light, TextureView(texture_, Wrap::repeat, Filter::bilinear)},
-                mesh, state);
+            raster::draw(target_,
+                         Textured{clip_from_world_, normals_, light,
+                                  TextureView(scene_.texture, Wrap::repeat, Filter::bilinear)},
+                         mesh, state);
             break;
     }
     // A clear alone is finished by whoever looks.

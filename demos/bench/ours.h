@@ -28,7 +28,6 @@ private:
     raster::Target target_;
     glm::mat4 clip_from_eye_, clip_from_world_;
     glm::mat3 normals_;
-    raster::PackedTexture texture_;
     std::vector<raster::SurfaceVertex<float>> surface_;  ///< the scene's vertices, for the library's shaders
 };
 

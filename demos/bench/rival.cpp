@@ -223,13 +223,8 @@ Rival::Rival(const Scene& scene, int width, int height)
         glEnableClientState(GL_TEXTURE_COORD_ARRAY);
         glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex<float>), offset(24));
         // Row 0 of an OpenGL image is its bottom row.
-        const auto top_down = make_texture();
-        std::vector<std::uint32_t> texels(top_down.size());
-        for (std::size_t y = 0; y < texture_size; ++y)
-            std::copy_n(top_down.data() + y * texture_size, texture_size,
-                        texels.data() + (texture_size - 1 - y) * texture_size);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture_size, texture_size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     texels.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, scene.texture.width, scene.texture.height, 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, scene.upside_down.data());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     }

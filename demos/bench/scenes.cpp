@@ -17,6 +17,24 @@ namespace {
 
 using Corner = Vertex<float>;
 
+/// Squares of grey ramps and white, 1024 x 1024.
+void add_texture(Scene& scene) {
+    constexpr std::uint32_t size = 1024;
+    scene.shading = Shading::textured;
+    scene.texture.width = scene.texture.height = int(size);
+    scene.texture.texels.resize(std::size_t(size) * size);
+    for (std::uint32_t y = 0; y < size; ++y)
+        for (std::uint32_t x = 0; x < size; ++x) {
+            const std::uint32_t check = ((x >> 5) ^ (y >> 5)) & 1;
+            const std::uint32_t r = check ? 255 : (x >> 2) & 255, g = (y >> 2) & 255, b = (x * 7 + y * 13) & 255;
+            scene.texture.texels[y * size + x] = std::int32_t(r | g << 8 | b << 16 | 0xff000000u);
+        }
+    for (std::uint32_t y = size; y-- > 0;) {
+        const auto row = scene.texture.texels.begin() + std::ptrdiff_t(y * size);
+        scene.upside_down.insert(scene.upside_down.end(), row, row + size);
+    }
+}
+
 void add_quad(Scene& scene, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v) {
     const auto first = std::uint32_t(scene.vertices.size());
     const glm::vec3 n = glm::normalize(glm::cross(u, v));
@@ -172,12 +190,12 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
         scene.what = "bunny, per-pixel Blinn-Phong";
     } else if (name == "s4") {
         scene.what = "teapot, bilinear texture, Lambert";
-        scene.shading = Shading::textured;
+        add_texture(scene);
         take(scene, raster::teapot(10));
         place_model(scene);
     } else if (name == "s4q") {
         scene.what = "32 x 32 textured quads on the ground";
-        scene.shading = Shading::textured;
+        add_texture(scene);
         for (int z = 0; z < 32; ++z)
             for (int x = 0; x < 32; ++x)
                 add_quad(scene, {-18 + 36 * float(x) / 32, 0, 5 - 21 * float(z) / 32}, {36.0f / 32, 0, 0},
@@ -223,17 +241,6 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
         return raster::Error{raster::ErrorKind::usage, "no scene named '" + name + "'"};
     }
     return scene;
-}
-
-std::vector<std::uint32_t> make_texture() {
-    std::vector<std::uint32_t> texels(std::size_t(texture_size) * texture_size);
-    for (std::uint32_t y = 0; y < texture_size; ++y)
-        for (std::uint32_t x = 0; x < texture_size; ++x) {
-            const std::uint32_t check = ((x >> 5) ^ (y >> 5)) & 1;
-            const std::uint32_t r = check ? 255 : (x >> 2) & 255, g = (y >> 2) & 255, b = (x * 7 + y * 13) & 255;
-            texels[y * texture_size + x] = r | g << 8 | b << 16 | 0xff000000u;
-        }
-    return texels;
 }
 
 }  // namespace bench

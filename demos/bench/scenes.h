@@ -9,6 +9,7 @@
 
 #include <raster/lanes.h>
 #include <raster/result.h>
+#include <raster/shading/texture.h>
 
 namespace bench {
 
@@ -33,6 +34,8 @@ struct Scene {
     std::string reflectance;  ///< the model's name
     bool cull_back = true;
     bool blend = false;
+    raster::PackedTexture texture;          ///< of textured scenes
+    std::vector<std::int32_t> upside_down;  ///< its rows from the bottom up, as OpenGL wants them
 };
 
 inline const glm::vec4 clear_color(0.1f, 0.1f, 0.15f, 1.0f);
@@ -50,9 +53,5 @@ inline const glm::vec3 metal_n(0.156f, 0.424f, 1.383f), metal_k(3.602f, 2.472f, 
 
 /// Builds a scene, one of those or "torus:N" of about N triangles or "layers:N" of N quads; `bunny` is the path of an OBJ file that the scenes s2, s3, s5 and s7d show.
 raster::Result<Scene> make_scene(const std::string& name, const std::string& bunny);
-
-/// The texture of textured scenes: 1024 x 1024 RGBA.
-std::vector<std::uint32_t> make_texture();
-inline constexpr int texture_size = 1024;
 
 }  // namespace bench
