@@ -25,57 +25,69 @@ namespace {
 const ErrorCurve curve;
 
 #if defined(__GNUC__)
-using IntegerPack = std::int32_t __attribute__((vector_size(4 * pack_size)));
 using Quad = float __attribute__((vector_size(16)));
 
-RASTER_INLINE void clamp_to_0_1(Pack& x) {
-    x = x > 0.0f ? x : Pack{};
-    x = x < 1.0f ? x : Pack{} + 1.0f;
+template <class P>
+RASTER_INLINE void clamp_to_0_1(P& x) {
+    x = x > 0.0f ? x : P{};
+    x = x < 1.0f ? x : P{} + 1.0f;
 }
 
-RASTER_INLINE void respond(Pack& t) {
+template <class P>
+RASTER_INLINE void respond(P& t) {
     constexpr float delta = 6.0f / 29.0f, bend = delta * delta * delta;
-    const Pack x = t > bend ? t : Pack{} + bend;
+    const P x = t > bend ? t : P{} + bend;
     // The cube root; flip_color.h says why.
-    const Pack third = __builtin_convertvector((IntegerPack)x, Pack) * (1.0f / 3.0f);
-    Pack z = (Pack)(0x54a2fa8c - __builtin_convertvector(third, IntegerPack));
+    const P third = __builtin_convertvector((IntegersOf<P>)x, P) * (1.0f / 3.0f);
+    P z = (P)(0x54a2fa8c - __builtin_convertvector(third, IntegersOf<P>));
     for (int step = 0; step < 2; ++step) {
-        const Pack h = 1.0f - x * z * z * z;
+        const P h = 1.0f - x * z * z * z;
         z = z + z * h * (h * (2.0f / 9.0f) + 1.0f / 3.0f);
     }
-    const Pack root = x * z * z, line = t * (1.0f / (3.0f * delta * delta)) + 4.0f / 29.0f;
+    const P root = x * z * z, line = t * (1.0f / (3.0f * delta * delta)) + 4.0f / 29.0f;
     t = t > bend ? root : line;
 }
 
 // As in raster/math.h, for what differences of colours can be: their logarithms, and powers of errors, are finite.
-RASTER_INLINE void take_log2(Pack& x) {
+template <class P>
+RASTER_INLINE void take_log2(P& x) {
     constexpr float smallest = std::numeric_limits<float>::min();
     constexpr std::int32_t sqrt_half = 0x3f3504f3;
-    const IntegerPack i = (IntegerPack)(x > smallest ? x : Pack{} + smallest) - sqrt_half;
-    const Pack e = __builtin_convertvector(i >> 23, Pack);
-    const Pack f = (Pack)((i & 0x007fffff) + sqrt_half) - 1.0f;
-    const Pack s = f / (f + 2.0f), s2 = s * s;
-    const Pack p = ((0.431735879f * s2 + 0.576714384f) * s2 + 0.961798848f) * s2 + 2.88539008f;
+    const IntegersOf<P> i = (IntegersOf<P>)(x > smallest ? x : P{} + smallest) - sqrt_half;
+    const P e = __builtin_convertvector(i >> 23, P);
+    const P f = (P)((i & 0x007fffff) + sqrt_half) - 1.0f;
+    const P s = f / (f + 2.0f), s2 = s * s;
+    const P p = ((0.431735879f * s2 + 0.576714384f) * s2 + 0.961798848f) * s2 + 2.88539008f;
     x = e + s * p;
 }
-RASTER_INLINE void take_exp2(Pack& x) {
+template <class P>
+RASTER_INLINE void take_exp2(P& x) {
     constexpr float shift = 12582912.0f;  // 1.5 * 2^23: the sum's last bits are the nearest whole number
-    const Pack shifted = x + shift, f = x - (shifted - shift);
-    const IntegerPack whole = (IntegerPack)shifted - 0x4b400000;
-    const Pack p = (((((1.55946807e-4f * f + 1.34066441e-3f) * f + 9.61769297e-3f) * f + 5.55031055e-2f) * f +
+    const P shifted = x + shift, f = x - (shifted - shift);
+    const IntegersOf<P> whole = (IntegersOf<P>)shifted - 0x4b400000;
+    const P p = (((((1.55946807e-4f * f + 1.34066441e-3f) * f + 9.61769297e-3f) * f + 5.55031055e-2f) * f +
                      2.40226528e-1f) * f + 6.93147215e-1f) * f + 1.0f;
-    x = (Pack)((IntegerPack)p + (whole << 23));
+    x = (P)((IntegersOf<P>)p + (whole << 23));
 }
-RASTER_INLINE void take_root(Pack& x) {
 #if defined(__SSE2__)
+RASTER_INLINE void take_root(Pack<8>& x) {
     const Quad low = __builtin_shufflevector(x, x, 0, 1, 2, 3), high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
     const Quad low_root = (Quad)_mm_sqrt_ps((__m128)low), high_root = (Quad)_mm_sqrt_ps((__m128)high);
     x = __builtin_shufflevector(low_root, high_root, 0, 1, 2, 3, 4, 5, 6, 7);
-#else
-    for (int i = 0; i < pack_size; ++i) x[i] = std::sqrt(x[i]);
-#endif
 }
-RASTER_INLINE void take_magnitude(Pack& x) { x = (Pack)((IntegerPack)x & 0x7fffffff); }
+RASTER_INLINE void take_root(Pack<16>& x) {
+    Pack<8> low = __builtin_shufflevector(x, x, 0, 1, 2, 3, 4, 5, 6, 7);
+    Pack<8> high = __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15);
+    take_root(low), take_root(high);
+    x = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+#else
+RASTER_INLINE void take_root(Pack<8>& x) {
+    for (int i = 0; i < 8; ++i) x[i] = std::sqrt(x[i]);
+}
+#endif
+template <class P>
+RASTER_INLINE void take_magnitude(P& x) { x = (P)((IntegersOf<P>)x & 0x7fffffff); }
 #else
 RASTER_INLINE void clamp_to_0_1(float& x) { x = clamp(x, 0.0f, 1.0f); }
 RASTER_INLINE void respond(float& t) { t = lab_response(t); }
@@ -85,27 +97,31 @@ RASTER_INLINE void take_root(float& x) { x = std::sqrt(x); }
 RASTER_INLINE void take_magnitude(float& x) { x = std::abs(x); }
 #endif
 
-RASTER_INLINE void multiply(const detail::Matrix& m, Pack& x, Pack& y, Pack& z) {
-    const Pack in[3] = {x, y, z};
+template <class P>
+RASTER_INLINE void multiply(const detail::Matrix& m, P& x, P& y, P& z) {
+    const P in[3] = {x, y, z};
     x = in[0] * float(m.m[0][0]) + in[1] * float(m.m[0][1]) + in[2] * float(m.m[0][2]);
     y = in[0] * float(m.m[1][0]) + in[1] * float(m.m[1][1]) + in[2] * float(m.m[1][2]);
     z = in[0] * float(m.m[2][0]) + in[1] * float(m.m[2][1]) + in[2] * float(m.m[2][2]);
 }
 
-RASTER_INLINE void load(const Planes& planes, int i, Pack& a, Pack& b, Pack& c) {
+template <class P>
+RASTER_INLINE void load(const Planes& planes, int i, P& a, P& b, P& c) {
     std::memcpy(&a, planes.a + i, sizeof a);
     std::memcpy(&b, planes.b + i, sizeof b);
     std::memcpy(&c, planes.c + i, sizeof c);
 }
-RASTER_INLINE void store(const Planes& planes, int i, const Pack& a, const Pack& b, const Pack& c) {
+template <class P>
+RASTER_INLINE void store(const Planes& planes, int i, const P& a, const P& b, const P& c) {
     std::memcpy(planes.a + i, &a, sizeof a);
     std::memcpy(planes.b + i, &b, sizeof b);
     std::memcpy(planes.c + i, &c, sizeof c);
 }
 
+template <int lanes>
 RASTER_INLINE void find_opponents(const Planes& rgb, int count, const Planes& out) {
-    for (int i = 0; i < count; i += pack_size) {
-        Pack x, y, z;
+    for (int i = 0; i < count; i += lanes) {
+        Pack<lanes> x, y, z;
         load(rgb, i, x, y, z);
         multiply(detail::to_xyz, x, y, z);
         store(out, i, y, x - y, y - z);
@@ -113,87 +129,92 @@ RASTER_INLINE void find_opponents(const Planes& rgb, int count, const Planes& ou
 }
 
 // In short loops: of one long one, the steps would wait for each other.
+template <int lanes>
 RASTER_INLINE void see(const Planes& colors, int count) {
-    for (int i = 0; i < count; i += pack_size) {
-        Pack y, red_green, blue_yellow;
+    for (int i = 0; i < count; i += lanes) {
+        Pack<lanes> y, red_green, blue_yellow;
         load(colors, i, y, red_green, blue_yellow);
-        Pack a = y + red_green, b = y, c = y - blue_yellow;
+        Pack<lanes> a = y + red_green, b = y, c = y - blue_yellow;
         multiply(detail::to_rgb, a, b, c);
         clamp_to_0_1(a), clamp_to_0_1(b), clamp_to_0_1(c);
         multiply(detail::to_xyz, a, b, c);
         store(colors, i, a, b, c);
     }
     for (float* const plane : {colors.a, colors.b, colors.c})
-        for (int i = 0; i < count; i += pack_size) {
-            Pack t;
+        for (int i = 0; i < count; i += lanes) {
+            Pack<lanes> t;
             std::memcpy(&t, plane + i, sizeof t);
             respond(t);
             std::memcpy(plane + i, &t, sizeof t);
         }
-    for (int i = 0; i < count; i += pack_size) {
-        Pack x, y, z;
+    for (int i = 0; i < count; i += lanes) {
+        Pack<lanes> x, y, z;
         load(colors, i, x, y, z);
-        const Pack l = y * 116.0f - 16.0f;
+        const Pack<lanes> l = y * 116.0f - 16.0f;
         store(colors, i, l, (x - y) * 5.0f * l, (y - z) * 2.0f * l);
     }
 }
 
-RASTER_INLINE void load(const float* from, Pack& pack) { std::memcpy(&pack, from, sizeof pack); }
-RASTER_INLINE void store(const Pack& pack, float* to) { std::memcpy(to, &pack, sizeof pack); }
+template <class P>
+RASTER_INLINE void load(const float* from, P& pack) { std::memcpy(&pack, from, sizeof pack); }
+template <class P>
+RASTER_INLINE void store(const P& pack, float* to) { std::memcpy(to, &pack, sizeof pack); }
 
 /// The length of the vectors (x[i], y[i]), ...
-RASTER_INLINE void take_length(const float* x, const float* y, Pack& length) {
-    Pack a, b;
+template <class P>
+RASTER_INLINE void take_length(const float* x, const float* y, P& length) {
+    P a, b;
     load(x, a), load(y, b);
     length = a * a + b * b;
     take_root(length);
 }
 
+template <int lanes>
 RASTER_INLINE void find_errors(const SeenRow& e, const SeenRow& a, int count, float* errors, float* scratch) {
     float *const exponents = scratch, *const logarithms = scratch + (count + row_block - 1) / row_block * row_block;
-    for (int i = 0; i < count; i += pack_size) {
-        Pack edges, actual_edges, points, actual_points;
+    for (int i = 0; i < count; i += lanes) {
+        Pack<lanes> edges, actual_edges, points, actual_points;
         take_length(e.edge_x + i, e.edge_y + i, edges), take_length(a.edge_x + i, a.edge_y + i, actual_edges);
         take_length(e.point_x + i, e.point_y + i, points), take_length(a.point_x + i, a.point_y + i, actual_points);
         edges -= actual_edges, points -= actual_points;
         take_magnitude(edges), take_magnitude(points);
-        Pack features = (edges > points ? edges : points) * 0.707106781f;
+        Pack<lanes> features = (edges > points ? edges : points) * 0.707106781f;
         take_root(features);
-        const Pack exponent = 1.0f - features;
-        store(exponent > 0.0f ? exponent : Pack{}, exponents + i);
+        const Pack<lanes> exponent = 1.0f - features;
+        store(exponent > 0.0f ? exponent : Pack<lanes>{}, exponents + i);
     }
-    for (int i = 0; i < count; i += pack_size) {
-        Pack l, b, c, actual_l, actual_b, actual_c;
+    for (int i = 0; i < count; i += lanes) {
+        Pack<lanes> l, b, c, actual_l, actual_b, actual_c;
         load(e.colors, i, l, b, c);
         load(a.colors, i, actual_l, actual_b, actual_c);
         l -= actual_l, b -= actual_b, c -= actual_c;
         take_magnitude(l);
-        Pack chroma = b * b + c * c;
+        Pack<lanes> chroma = b * b + c * c;
         take_root(chroma);
         store(l + chroma, errors + i);
     }
     const float log_knee = curve.log_knee(), log_slope = curve.log_slope(), power = ErrorCurve::power;
-    Pack largest = Pack{} + log_knee;
-    for (int i = 0; i < count; i += pack_size) {
-        Pack distance, exponent;
+    Pack<lanes> largest = Pack<lanes>{} + log_knee;
+    for (int i = 0; i < count; i += lanes) {
+        Pack<lanes> distance, exponent;
         load(errors + i, distance), load(exponents + i, exponent);
-        Pack log_error = distance;
+        Pack<lanes> log_error = distance;
         take_log2(log_error);
         log_error *= power;
         store(log_error, logarithms + i);
         largest = log_error > largest ? log_error : largest;
-        Pack error = (log_error + log_slope) * exponent;
+        Pack<lanes> error = (log_error + log_slope) * exponent;
         take_exp2(error);
-        store(distance > 0.0f ? error : Pack{}, errors + i);
+        store(distance > 0.0f ? error : Pack<lanes>{}, errors + i);
     }
-    float lanes[pack_size];
-    store(largest, lanes);
-    if (!std::any_of(lanes, lanes + pack_size, [&](float lane) { return lane > log_knee; })) return;
+    float most[lanes];
+    store(largest, most);
+    if (!std::any_of(most, most + lanes, [&](float lane) { return lane > log_knee; })) return;
     const float knee = curve.knee(), slope_beyond = curve.slope_beyond();
-    for (int i = 0; i < count; i += pack_size) {
-        Pack log_error, exponent, error;
+    for (int i = 0; i < count; i += lanes) {
+        Pack<lanes> log_error, exponent, error;
         load(logarithms + i, log_error), load(exponents + i, exponent), load(errors + i, error);
-        Pack bent = log_error;
+        Pack<lanes> bent = log_error;
         take_exp2(bent);
         bent = (bent - knee) * slope_beyond + ErrorCurve::at_knee;
         take_log2(bent);

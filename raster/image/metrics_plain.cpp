@@ -96,8 +96,13 @@ RASTER_INLINE void compare_block(const std::uint8_t* a, const std::uint8_t* b, i
     sums.most = most, sums.differing = differing;
 }
 
-#define RASTER_COMPARE_BLOCK(name, channels)                                                                \
-    RASTER_DISPATCHED(name, compare_block<channels>,                                                        \
+#define RASTER_COMPARE_BLOCK(name, channels)                                                                        \
+    template <int>                                                                                                  \
+    RASTER_INLINE void name##_body(const std::uint8_t* a, const std::uint8_t* b, int count, BlockSums& sums,        \
+                                   float* deltas) {                                                                 \
+        compare_block<channels>(a, b, count, sums, deltas);                                                         \
+    }                                                                                                               \
+    RASTER_DISPATCHED(name, name##_body,                                                                            \
                       (const std::uint8_t* a, const std::uint8_t* b, int count, BlockSums& sums, float* deltas), \
                       (a, b, count, sums, deltas))
 RASTER_COMPARE_BLOCK(compare_block_1, 1)

@@ -10,9 +10,11 @@ namespace raster {
 namespace {
 
 // One pack at a time: sums that are copied as an array are kept in memory.
-RASTER_INLINE void load_pack(Pack& pack, const float* from) { std::memcpy(&pack, from, sizeof pack); }
-RASTER_INLINE void store_pack(float* to, const Pack& pack) {
-    const Pack copy = pack;
+template <class P>
+RASTER_INLINE void load_pack(P& pack, const float* from) { std::memcpy(&pack, from, sizeof pack); }
+template <class P>
+RASTER_INLINE void store_pack(float* to, const P& pack) {
+    const P copy = pack;
     std::memcpy(to, &copy, sizeof copy);
 }
 
@@ -23,36 +25,36 @@ struct Filter {
     bool add;
 };
 
-template <FilterSymmetry... symmetries>
+template <int lanes, FilterSymmetry... symmetries>
 RASTER_INLINE void sum(const Filter* filters, int radius, const float* const* rows, int count) {
     constexpr int n = sizeof...(symmetries);
     constexpr FilterSymmetry symmetry[] = {symmetries...};
     // As many sums as stay in registers.
-    constexpr int packs = n == 1 ? 4 : 2, block = packs * pack_size;
+    constexpr int packs = (n == 1 ? 32 : 16) / lanes, block = packs * lanes;
     static_assert(row_block % block == 0);
     for (int i = 0; i < (count + row_block - 1) / row_block * row_block; i += block) {
-        Pack sums[n][packs] = {};
+        Pack<lanes> sums[n][packs] = {};
         for (int f = 0; f < n; ++f) {
             for (int p = 0; p < packs; ++p) {
-                if (filters[f].add) load_pack(sums[f][p], filters[f].out + i + p * pack_size);
-                Pack middle;
-                load_pack(middle, rows[radius] + i + p * pack_size);
+                if (filters[f].add) load_pack(sums[f][p], filters[f].out + i + p * lanes);
+                Pack<lanes> middle;
+                load_pack(middle, rows[radius] + i + p * lanes);
                 if (symmetry[f] == FilterSymmetry::even) sums[f][p] += middle * filters[f].weights[0];
             }
         }
         for (int k = 1; k <= radius; ++k) {
             const float *before = rows[radius - k] + i, *after = rows[radius + k] + i;
             for (int p = 0; p < packs; ++p) {
-                Pack a, b;
-                load_pack(a, after + p * pack_size);
-                load_pack(b, before + p * pack_size);
-                const Pack even = a + b, odd = a - b;
+                Pack<lanes> a, b;
+                load_pack(a, after + p * lanes);
+                load_pack(b, before + p * lanes);
+                const Pack<lanes> even = a + b, odd = a - b;
                 for (int f = 0; f < n; ++f)
                     sums[f][p] += (symmetry[f] == FilterSymmetry::even ? even : odd) * filters[f].weights[k];
             }
         }
         for (int f = 0; f < n; ++f)
-            for (int p = 0; p < packs; ++p) store_pack(filters[f].out + i + p * pack_size, sums[f][p]);
+            for (int p = 0; p < packs; ++p) store_pack(filters[f].out + i + p * lanes, sums[f][p]);
     }
 }
 
@@ -63,38 +65,40 @@ struct BothSides {
 };
 
 /// Adds the rows of data from `begin` to `end` to the sums for the rows of the picture from `first` to `last`.
-template <int first, int last, int packs>
+template <int first, int last, int packs, class P>
 RASTER_INLINE void add_rows(const BothSides& filter, const float* const* rows, int i, int begin, int end,
-                            Pack (&sums)[rows_at_once][packs]) {
+                            P (&sums)[rows_at_once][packs]) {
     for (int row = begin; row < end; ++row) {
         for (int p = 0; p < packs; ++p) {
-            Pack in;
-            load_pack(in, rows[row] + i + p * pack_size);
+            P in;
+            load_pack(in, rows[row] + i + p * int(sizeof(P) / 4));
             for (int o = first; o < last; ++o) sums[o][p] += in * filter.weights[row - o + 1];
         }
-        __builtin_prefetch(rows[row] + i + 4 * packs * pack_size);
+        __builtin_prefetch(rows[row] + i + 4 * packs * int(sizeof(P) / 4));
     }
 }
 
+template <int lanes>
 RASTER_INLINE void sum_columns(const BothSides& filter, const float* const* rows, int count, float* const* out,
                                bool add) {
-    constexpr int packs = 2, block = packs * pack_size;
+    constexpr int packs = 2, block = packs * lanes;
     static_assert(rows_at_once == 4);
     for (int i = 0; i < (count + row_block - 1) / row_block * row_block; i += block) {
-        Pack sums[rows_at_once][packs];
+        Pack<lanes> sums[rows_at_once][packs];
         for (int o = 0; o < rows_at_once; ++o)
             for (int p = 0; p < packs; ++p) {
-                sums[o][p] = Pack{};
-                if (add) load_pack(sums[o][p], out[o] + i + p * pack_size);
+                sums[o][p] = Pack<lanes>{};
+                if (add) load_pack(sums[o][p], out[o] + i + p * lanes);
             }
         add_rows<0, 2>(filter, rows, i, 0, 2, sums);
         add_rows<0, 4>(filter, rows, i, 2, filter.taps + 1, sums);
         add_rows<2, 4>(filter, rows, i, filter.taps + 1, filter.taps + 3, sums);
         for (int o = 0; o < rows_at_once; ++o)
-            for (int p = 0; p < packs; ++p) store_pack(out[o] + i + p * pack_size, sums[o][p]);
+            for (int p = 0; p < packs; ++p) store_pack(out[o] + i + p * lanes, sums[o][p]);
     }
 }
 
+template <int>
 RASTER_INLINE void luma_of(const std::uint8_t* __restrict rgb, int count, float* __restrict luma) {
     constexpr float scale = 1.0f / 255.0f;
     for (int i = 0; i < count; ++i)
@@ -103,9 +107,12 @@ RASTER_INLINE void luma_of(const std::uint8_t* __restrict rgb, int count, float*
 }
 
 constexpr FilterSymmetry e = FilterSymmetry::even, o = FilterSymmetry::odd;
-#define RASTER_ROW_SUM(name, ...)                                                               \
-    RASTER_DISPATCHED(name, (sum<__VA_ARGS__>),                                                 \
-                      (const Filter* filters, int radius, const float* const* rows, int count), \
+#define RASTER_ROW_SUM(name, ...)                                                                                \
+    template <int lanes>                                                                                         \
+    RASTER_INLINE void name##_body(const Filter* filters, int radius, const float* const* rows, int count) {     \
+        sum<lanes, __VA_ARGS__>(filters, radius, rows, count);                                                   \
+    }                                                                                                            \
+    RASTER_DISPATCHED(name, name##_body, (const Filter* filters, int radius, const float* const* rows, int count), \
                       (filters, radius, rows, count))
 RASTER_ROW_SUM(sum_e, e)
 RASTER_ROW_SUM(sum_o, o)
