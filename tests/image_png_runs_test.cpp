@@ -1,4 +1,6 @@
-// image_png_runs_test.cpp: what pack_runs packs, libdeflate unpacks, checksum included.
+// image_png_runs_test.cpp: what pack_runs packs, libdeflate unpacks, checksum included; PNG files made so.
+#include <raster/image/decode.h>
+#include <raster/image/png.h>
 #include <raster/image/png_runs.h>
 
 #include <libdeflate.h>
@@ -74,6 +76,22 @@ TEST(PngRuns, CodesAreNeverLongerThanDeflateAllows) {
 }
 
 TEST(PngRuns, AWholeColourIsNextToNothing) { EXPECT_LT(pack_runs(Image8(3840, 2160, 1, 7)).size(), 20'000u); }
+
+TEST(PngRuns, TheFastWayHoldsTheSamePictures) {
+    Random random(42);
+    for (int channels = 1; channels <= 4; ++channels)
+        for (const auto& [width, height] : {std::pair(1, 1), {1, 9}, {31, 17}, {800, 300}}) {
+            Image8 image(width, height, channels);
+            for (std::size_t i = 0; i < image.samples.size(); ++i)
+                image.samples[i] = std::uint8_t(i / 1000 % 2 == 0 ? random.integer(0, 255) : 100);
+            const raster::Result<Bytes> file = raster::encode_png_fast(image);
+            ASSERT_TRUE(file);
+            const raster::Result<Image8> back = raster::decode_image8(*file, "fast.png");
+            ASSERT_TRUE(back) << channels << " " << width << "x" << height;
+            EXPECT_EQ(*back, image);
+        }
+    EXPECT_FALSE(raster::encode_png_fast(Image8{}));
+}
 
 #if !defined(RASTER_NO_THREADS)
 TEST(PngRuns, AreTheSameForEveryNumberOfThreads) {

@@ -163,6 +163,25 @@ Result<Bytes> encode_png(const Image16& image) {
     }
 }
 
+Result<Bytes> encode_png_fast(const Image8& image) {
+    if (const Status status = check_image(image); !status) return status.error();
+    try {
+        Image8 filtered = image;
+        const std::size_t row = std::size_t(image.width) * std::size_t(image.channels);
+        for (std::size_t i = row; i < image.samples.size(); ++i)
+            filtered.samples[i] = std::uint8_t(image.samples[i] - image.samples[i - row]);
+        const Bytes packed = pack_runs(filtered, filter_up);
+        const auto header = image_header(image.width, image.height, 8, color_types[image.channels - 1]);
+        PngFile file{packed.size()};
+        file.chunk("IHDR", header.data(), header.size());
+        file.chunk("IDAT", packed.data(), packed.size());
+        file.chunk("IEND", nullptr, 0);
+        return file.take();
+    } catch (const std::bad_alloc&) {
+        return no_memory();
+    }
+}
+
 Result<Bytes> encode_png(const IndexedImage& image) {
     if (const Status status = check_image(image.indices); !status) return status.error();
     try {

@@ -36,8 +36,8 @@ LengthCode length_code(int length) {
 }
 
 /// Writes a row's tokens, at most one for each pixel and one more. Returns their end.
-Token* find_tokens(const std::uint8_t* row, int width, Token* tokens) {
-    *tokens++ = 0;  // the filter
+Token* find_tokens(std::uint8_t filter, const std::uint8_t* row, int width, Token* tokens) {
+    *tokens++ = filter;
     int x = 0;
     while (x < width) {
         const std::uint8_t color = row[x++];
@@ -208,20 +208,21 @@ std::uint32_t joined(std::uint32_t first, std::uint32_t second, std::size_t seco
 
 }  // namespace
 
-Bytes pack_runs(const Image8& image) {
+Bytes pack_runs(const Image8& image, std::uint8_t filter) {
+    const std::size_t row_bytes = std::size_t(image.width) * std::size_t(image.channels);
     constexpr int band_bytes = 1 << 18;
-    const int rows = std::max(band_bytes / (image.width + 1), 1), count = (image.height + rows - 1) / rows;
+    const int rows = std::max(band_bytes / int(row_bytes + 1), 1), count = (image.height + rows - 1) / rows;
     std::vector<Band> bands{std::size_t(count)};
     tiles::parallel_for(bands.size(), [&](std::size_t i) {
         Band& band = bands[i];
-        std::vector<Token> tokens(std::size_t(rows) * (std::size_t(image.width) + 1));
+        std::vector<Token> tokens(std::size_t(rows) * (row_bytes + 1));
         Token* end = tokens.data();
         for (int y = int(i) * rows; y < std::min(int(i + 1) * rows, image.height); ++y) {
-            const std::uint8_t filter = 0, *const row = image.pixel(0, y);
-            end = find_tokens(row, image.width, end);
+            const std::uint8_t* const row = image.pixel(0, y);
+            end = find_tokens(filter, row, int(row_bytes), end);
             band.adler = libdeflate_adler32(band.adler, &filter, 1);
-            band.adler = libdeflate_adler32(band.adler, row, std::size_t(image.width));
-            band.size += std::size_t(image.width) + 1;
+            band.adler = libdeflate_adler32(band.adler, row, row_bytes);
+            band.size += row_bytes + 1;
         }
         band.packed = pack_tokens({tokens.data(), end});
     });

@@ -6,9 +6,8 @@
 
 namespace raster {
 
-/// The rows of a picture of one channel, each led by the filter "none", as a zlib stream (RFC 1950 and 1951). Of
-/// matches it knows only runs of one colour, within a row. The same bytes for every number of threads. Throws
-/// std::bad_alloc.
-Bytes pack_runs(const Image8& image);
+/// Rows of bytes, each led by the number of its PNG filter, as a zlib stream (RFC 1950 and 1951). Of matches it knows
+/// only runs of one byte, within a row. The same bytes for every number of threads. Throws std::bad_alloc.
+Bytes pack_runs(const Image8& rows, std::uint8_t filter = 0);
 
 }  // namespace raster

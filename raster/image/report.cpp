@@ -176,7 +176,7 @@ Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
     if (pair.expected.image && pair.actual.image) {
         entry.triptych_file = stem + ".triptych.png";
         jobs.push_back([&] {
-            return write_picture(encode_png(triptych(*pair.expected.image, *pair.actual.image, difference)),
+            return write_picture(encode_png_fast(triptych(*pair.expected.image, *pair.actual.image, difference)),
                                  entry.triptych_file);
         });
     }
