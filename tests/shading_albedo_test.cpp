@@ -56,6 +56,26 @@ TEST(OwnColor, IsOneWhereKdIsTheColour) {
     EXPECT_LT(own_color(model_of("ketchup")).y, 0.2f * own_color(model_of("ketchup")).x);
 }
 
+TEST(Ambient, ColourThatCountsIsTakenAsItIsOfEveryMaterial) {
+    Model model;
+    add_quad(model, {glm::vec3(-1, -1, 0), {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0, 0, 1});
+    RenderOptions options;
+    Light light;
+    light.kind = LightKind::ambient;
+    light.ambient = glm::vec3(0.5f);
+    options.lights = {light};
+    for (const char* substance : {"clay", "gold", "ketchup"}) {
+        options.default_material = *find_material(substance);
+        options.default_material.ambient = {0.25f, 0.5f, 1};
+        Target target(16, 16, ColorFormat::rgba_float);
+        render(target, model, *camera_matrices(Camera{}, 1.0), options);
+        EXPECT_NE(glm::vec3(target.color(8, 8)), glm::vec3(0.125f, 0.25f, 0.5f)) << substance;
+        options.default_material.ambient_counts = true;
+        render(target, model, *camera_matrices(Camera{}, 1.0), options);
+        EXPECT_EQ(glm::vec3(target.color(8, 8)), glm::vec3(0.125f, 0.25f, 0.5f)) << substance;
+    }
+}
+
 TEST(Ambient, LightOnKetchupAndOnATableHasTheirColourTimesKd) {
     Model model;
     add_quad(model, {glm::vec3(-1, -1, 0), {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0, 0, 1});

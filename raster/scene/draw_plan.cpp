@@ -67,8 +67,11 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& material) const {
     const Material m = physically_based(material);
     const bool is_metal = m.extinction != glm::vec3(0.0f);
     SurfaceMaterial s;
-    s.ambient_is_diffuse = options_.ambient_color == AmbientColor::diffuse && !is_metal;
-    s.ambient = s.ambient_is_diffuse ? glm::vec3(1.0f) : is_metal ? m.diffuse + metal_ambient(m) : m.ambient;
+    const bool own_ambient = is_metal || m.ambient_counts;
+    s.ambient_is_diffuse = options_.ambient_color == AmbientColor::diffuse && !own_ambient;
+    s.ambient = s.ambient_is_diffuse             ? glm::vec3(1.0f)
+                : is_metal && !m.ambient_counts ? m.diffuse + metal_ambient(m)
+                                                : m.ambient;
     s.diffuse = m.diffuse;
     s.emission = m.emission;
     if (options_.blend) s.alpha = m.alpha;
@@ -91,7 +94,7 @@ DrawPlan::PreparedMaterial DrawPlan::prepare(const Material& material) const {
     const std::optional<AnyReflectance> own = find_reflectance(m.reflectance);
     AnyReflectance reflectance = own.value_or(options_.reflectance);
     if (own || options_.reflectance_from_material) reflectance = RuntimeModel{reflectance}.with_material(m).model;
-    if (!is_metal) s.ambient *= own_color(reflectance);
+    if (!own_ambient) s.ambient *= own_color(reflectance);
     const MaterialModel finished = finish(m, reflectance);
     s.specular = finished.specular;
     const SinCos turn = sin_cos_degrees(360.0 * double(m.anisotropy_rotation));

@@ -33,6 +33,7 @@ struct Material {
     std::string name;
     std::string reflectance;  ///< name of a reflectance model (shading/models.h); empty: the one the picture is drawn with
     glm::vec3 ambient{0.0f};
+    bool ambient_counts = false;    ///< whatever the picture is drawn with: many files have an arbitrary Ka
     glm::vec3 diffuse{0.8f};
     glm::vec3 specular{0.0f};
     glm::vec3 emission{0.0f};

@@ -130,7 +130,7 @@ Material physically_based(const Material& material) {
     m.specular_texture = -1;
     if (metal > 0.0f) {
         m.diffuse = material.diffuse * (1.0f - metal);
-        m.ambient = m.diffuse;
+        if (!m.ambient_counts) m.ambient = m.diffuse;
         // n and k of a given reflectance at normal incidence (Gulbrandsen, Artist Friendly Metallic Fresnel, 2014), with
         // an edge tint of one half.
         for (int c = 0; c < 3; ++c) {

@@ -213,6 +213,7 @@ void MaterialChange::apply_to(Material& m) const {
     }
     set(m.reflectance, reflectance);
     set(m.ambient, ambient);
+    if (ambient) m.ambient_counts = true;
     set(m.diffuse, diffuse);
     set(m.specular, specular);
     set(m.emission, emission);

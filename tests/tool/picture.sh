@@ -90,6 +90,7 @@ test_every_flag_changes_something() {
 --material shininess=5
 --material specular=0
 --material emission=0.3
+--material ambient=1,0,0
 --material alpha=0.5
 --material gold
 --material clay:roughness=0.9
