@@ -35,6 +35,17 @@ test_a_metal_keeps_its_colour_under_a_model_without_fresnel() {
     expect 0 '' diff model.png table.png --max-delta 8
 }
 
+test_layers_are_in_the_table_too() {
+    local as=(--size 64x64 --light directional:dir=-1,-1,-1 --display srgb) coated=clay:clearcoat=1:clearcoat_roughness=0.5:sheen=0.5
+    expect 0 '' brdf $coated -o coated.binary
+    expect 0 '' render shape:sphere --material $coated "${as[@]}" -o model.png
+    expect 0 '' render shape:sphere --material brdf=coated.binary "${as[@]}" -o table.png
+    expect 0 '' diff model.png table.png --max-delta 6 --max-pixels 8
+    expect 0 '' render shape:sphere --material clay "${as[@]}" -o bare.png
+    run diff bare.png table.png --max-delta 6 --max-pixels 8
+    [ "$status" = 1 ] || failed 'the layers are not seen'
+}
+
 test_a_table_can_be_baked_of_a_table() {
     expect 0 '' brdf iron -o a.binary "${small[@]}"
     expect 0 '' brdf a.binary -o b.binary
