@@ -140,6 +140,12 @@ struct Lit {
 template <class Model, class F>
 inline Lit<F> illuminate(const Model& model, std::span<const EyeLight> lights, const Frame<F>& frame,
                          const vec<3, F>& position_eye) {
+    // One directional light, the most usual: sums stay in registers, and positions need not be interpolated.
+    if (lights.size() == 1 && lights[0].kind == LightKind::directional) {
+        const EyeLight& light = lights[0];
+        Reflectance<F> value = model.evaluate(frame, vec<3, F>(-light.direction_eye));
+        return {value.diffuse * light.diffuse, value.specular * light.specular};
+    }
     Lit<F> sum{vec<3, F>(F(0)), vec<3, F>(F(0))};
     for (const EyeLight& light : lights) {
         LightSample<F> from = sample_light(light, position_eye);
