@@ -1,4 +1,4 @@
-// raster.h: driver of stages 7 and 8 inside a tile: walk a triangle's pixels in blocks and cells, test coverage and depth.
+// raster.h: driver of stages 7 and 8 inside a tile: walk a triangle's pixels in blocks and rows, test coverage and depth.
 //
 // What becomes of the pixels that pass is the Sink's business: to remember the triangle until tiles/resolve.h shades it, or
 // to shade and blend at once (tiles/blend.h).
