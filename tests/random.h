@@ -10,6 +10,9 @@ class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
+#if defined(__wasm__)
+    [[gnu::noinline]]  // clang 14 loads a state for two lanes after it has stored the next one over it
+#endif
     std::uint64_t bits() {
         std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
