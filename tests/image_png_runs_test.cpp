@@ -5,10 +5,12 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #if !defined(RASTER_NO_THREADS)
 #include <tbb/task_arena.h>
@@ -91,6 +93,50 @@ TEST(PngRuns, TheFastWayHoldsTheSamePictures) {
             EXPECT_EQ(*back, image);
         }
     EXPECT_FALSE(raster::encode_png_fast(Image8{}));
+}
+
+// Repeated pixels and repeated bytes of every length, at any place of a row, and what is in between.
+Image8 patterned(int width, int height, int channels, Random& random) {
+    Image8 image(width, height, channels);
+    for (std::size_t i = 0; i < image.samples.size();) {
+        const std::size_t back = random.integer(0, 1) == 0 ? 1 : std::size_t(channels);
+        const auto end = std::min(image.samples.size(), i + std::size_t(random.integer(1, random.integer(1, 600))));
+        const bool repeats = random.integer(0, 3) > 0 && i >= back;
+        for (; i < end; ++i)
+            image.samples[i] = repeats ? image.samples[i - back] : std::uint8_t(random.integer(0, 255));
+    }
+    return image;
+}
+
+TEST(PngRuns, PixelsAndBytesThatRepeatComeBack) {
+    Random random(43);
+    for (int channels = 1; channels <= 4; ++channels)
+        for (const auto& [width, height] : {std::pair(1, 3), {2, 2}, {3, 50}, {33, 21}, {1500, 300}}) {
+            const Image8 image = patterned(width, height, channels, random);
+            const raster::Result<Image8> back = raster::decode_image8(*raster::encode_png_fast(image), "fast.png");
+            ASSERT_TRUE(back) << channels << " " << width << "x" << height;
+            EXPECT_EQ(*back, image) << channels << " " << width << "x" << height;
+        }
+}
+
+TEST(PngRuns, PackedPixelsGiveTheSameFile) {
+    Random random(44);
+    for (const bool has_alpha : {false, true})
+        for (const auto& [width, height] : {std::pair(1, 1), {7, 5}, {700, 200}}) {
+            const Image8 image = patterned(width, height, has_alpha ? 4 : 3, random);
+            std::vector<std::uint32_t> pixels;
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const std::uint8_t* const p = image.pixel(x, y);
+                    pixels.push_back(p[0] | p[1] << 8 | p[2] << 16 | std::uint32_t(has_alpha ? p[3] : 99) << 24);
+                }
+            EXPECT_EQ(*raster::encode_png_fast(raster::PackedImage{width, height, pixels, has_alpha}),
+                      *raster::encode_png_fast(image));
+            pixels.pop_back();
+            EXPECT_FALSE(raster::encode_png_fast(raster::PackedImage{width, height, pixels, has_alpha}));
+        }
+    EXPECT_FALSE(raster::encode_png_fast(raster::PackedImage{0, 5, {}, false}));
+    EXPECT_FALSE(raster::encode_png_fast(raster::PackedImage{-1, -1, {}, false}));
 }
 
 #if !defined(RASTER_NO_THREADS)

@@ -46,6 +46,18 @@ TEST_F(Write, TheExtensionChoosesTheFormat) {
     EXPECT_TRUE(*raster::load_image16(in_folder("f.ppm")) == deep);
 }
 
+TEST_F(Write, PackedPixelsBecomeAnyFormatOfWholeNumbers) {
+    const std::uint32_t pixels[] = {0x40434241, 0x80636261};
+    const raster::PackedImage image{2, 1, pixels, false};
+    ASSERT_TRUE(raster::write_image(in_folder("x.ppm"), image));
+    EXPECT_EQ(content(in_folder("x.ppm")), "P6\n2 1\n255\nABCabc");
+    ASSERT_TRUE(raster::write_image(in_folder("x.png"), image));
+    EXPECT_EQ(raster::load_image8(in_folder("x.png"))->samples,
+              (std::vector<std::uint8_t>{0x41, 0x42, 0x43, 0x61, 0x62, 0x63}));
+    EXPECT_FALSE(raster::write_image(in_folder("y.pgm"), image));
+    EXPECT_FALSE(raster::write_image(in_folder("y.ppm"), raster::PackedImage{3, 1, pixels, false}));
+}
+
 TEST_F(Write, GreyInAPpmIsRepeated) {
     Image8 grey(1, 1, 2);
     grey.samples = {'A', 1};

@@ -96,6 +96,14 @@ std::array<std::uint8_t, 13> image_header(int width, int height, int bit_depth, 
             0, 0, 0};  // deflate, adaptive filters, not interlaced
 }
 
+Bytes whole_file(const std::array<std::uint8_t, 13>& header, const Bytes& packed) {
+    PngFile file{packed.size()};
+    file.chunk("IHDR", header.data(), header.size());
+    file.chunk("IDAT", packed.data(), packed.size());
+    file.chunk("IEND", nullptr, 0);
+    return file.take();
+}
+
 /// Rows of big-endian samples, each byte less the one above it, each row led by its filter's number.
 std::vector<unsigned char> filter_rows(const Image16& image) {
     const std::size_t row_samples = std::size_t(image.width) * std::size_t(image.channels);
@@ -163,20 +171,40 @@ Result<Bytes> encode_png(const Image16& image) {
     }
 }
 
+Status check_image(const PackedImage& image) {
+    std::string problem = size_problem(image.width, image.height);
+    if (problem.empty() && image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
+        problem = "the number of pixels is not width * height";
+    if (!problem.empty()) return Error{ErrorKind::usage, "image: " + problem};
+    return Done{};
+}
+
 Result<Bytes> encode_png_fast(const Image8& image) {
     if (const Status status = check_image(image); !status) return status.error();
     try {
-        Image8 filtered = image;
-        const std::size_t row = std::size_t(image.width) * std::size_t(image.channels);
-        for (std::size_t i = row; i < image.samples.size(); ++i)
-            filtered.samples[i] = std::uint8_t(image.samples[i] - image.samples[i - row]);
-        const Bytes packed = pack_runs(filtered, filter_up);
-        const auto header = image_header(image.width, image.height, 8, color_types[image.channels - 1]);
-        PngFile file{packed.size()};
-        file.chunk("IHDR", header.data(), header.size());
-        file.chunk("IDAT", packed.data(), packed.size());
-        file.chunk("IEND", nullptr, 0);
-        return file.take();
+        return whole_file(image_header(image.width, image.height, 8, color_types[image.channels - 1]),
+                          pack_runs(image, RowFilter::up));
+    } catch (const std::bad_alloc&) {
+        return no_memory();
+    }
+}
+
+Result<Bytes> encode_png_fast(const PackedImage& image) {
+    if (const Status status = check_image(image); !status) return status.error();
+    const std::size_t width = std::size_t(image.width), channels = image.has_alpha ? 4 : 3;
+    const auto read = [&](int y, std::uint8_t* row) {
+        const auto pixels = image.pixels.subspan(std::size_t(y) * width, width);
+        for (const std::uint32_t pixel : pixels) {
+            // Of RGB the fourth is overwritten by the next pixel.
+            const std::uint8_t bytes[] = {std::uint8_t(pixel), std::uint8_t(pixel >> 8), std::uint8_t(pixel >> 16),
+                                          std::uint8_t(pixel >> 24)};
+            std::memcpy(row, bytes, 4);
+            row += channels;
+        }
+    };
+    try {
+        return whole_file(image_header(image.width, image.height, 8, color_types[channels - 1]),
+                          pack_runs({channels * width, image.height, int(channels), read}, RowFilter::up));
     } catch (const std::bad_alloc&) {
         return no_memory();
     }

@@ -30,7 +30,10 @@ Result<Bytes> encode(const std::string& path, OutputFormat format, const Image<T
         return Error{ErrorKind::usage, path + ": a PFM holds floats; this picture has whole numbers"};
     if (format == OutputFormat::pgm && !is_grey)
         return Error{ErrorKind::usage, path + ": a PGM holds grey; this picture has colours"};
-    if (format == OutputFormat::png) return encode_png(image);
+    if (format == OutputFormat::png) {
+        if constexpr (sizeof(T) == 1) return encode_png_fast(image);
+        return encode_png(image);
+    }
     if (format == OutputFormat::pgm || !is_grey) return encode_pnm(image);
     try {
         return encode_pnm(with_grey_repeated(image));
@@ -66,6 +69,25 @@ Result<OutputFormat> output_format(const std::string& path, OutputFormat otherwi
 
 Status write_image(const std::string& path, const Image8& image) { return write_whole_numbers(path, image); }
 Status write_image(const std::string& path, const Image16& image) { return write_whole_numbers(path, image); }
+
+Status write_image(const std::string& path, const PackedImage& image) {
+    if (const Status status = check_image(image); !status) return status;
+    const Result<OutputFormat> format = output_format(path, OutputFormat::png);
+    if (!format) return format.error();
+    if (*format == OutputFormat::png) {
+        const Result<Bytes> bytes = encode_png_fast(image);
+        return bytes ? write_file(path, *bytes) : bytes.error();
+    }
+    try {
+        Image8 rgb(image.width, image.height, 3);
+        std::uint8_t* out = rgb.samples.data();
+        for (const std::uint32_t pixel : image.pixels)
+            for (int c = 0; c < 3; ++c) *out++ = std::uint8_t(pixel >> (8 * c));
+        return write_image(path, rgb);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorKind::input_output, path + ": not enough memory to encode the picture"};
+    }
+}
 
 Status write_image(const std::string& path, const ImageF& image) {
     const Result<OutputFormat> format = output_format(path, OutputFormat::pfm);

@@ -14,22 +14,6 @@
 namespace raster::tool {
 namespace {
 
-/// The colours as bytes: with an alpha channel where the background lets one look through.
-Image8 picture_of(const Target& target, bool with_alpha) {
-    const std::vector<std::uint32_t>& colors = target.color8();
-    const int channels = with_alpha ? 4 : 3;
-    Image8 image(target.width(), target.height(), channels);
-    std::uint8_t* out = image.samples.data();
-    for (const std::uint32_t color : colors) {
-        out[0] = std::uint8_t(color);
-        out[1] = std::uint8_t(color >> 8);
-        out[2] = std::uint8_t(color >> 16);
-        if (with_alpha) out[3] = std::uint8_t(color >> 24);
-        out += channels;
-    }
-    return image;
-}
-
 ImageF float_picture_of(const Target& target) {
     ImageF image(target.width(), target.height(), 3);
     float* out = image.samples.data();
@@ -113,7 +97,8 @@ private:
         const std::string path = outputs.picture_path(frame);
         const bool with_alpha = job_.options.background.a < 1.0f;
         if (const Status status = floats ? write_image(path, float_picture_of(picture))
-                                         : write_image(path, picture_of(picture, with_alpha));
+                                         : write_image(path, PackedImage{picture.width(), picture.height(),
+                                                                         picture.color8(), with_alpha});
             !status)
             return status;
         if (const Status status = write_planes(frame, view, target); !status) return status;
