@@ -2,15 +2,25 @@
 #include <raster/scene/normals.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 #include <raster/math.h>
 #include <raster/scene/obj_dedup.h>
+#include <raster/tiles/parallel.h>
 
 namespace raster {
 namespace {
 
 constexpr std::size_t most_compared = 128;
+
+/// Calls body(first, end) for parts of 0 to `count`, on all threads.
+template <class Body>
+void in_chunks(std::size_t count, const Body& body) {
+    constexpr std::size_t chunk = 2048;
+    tiles::parallel_for((count + chunk - 1) / chunk,
+                        [&](std::size_t i) { body(i * chunk, std::min((i + 1) * chunk, count)); });
+}
 
 /// A face's unit normal and twice its area; zero for one without area.
 struct Facet {
@@ -76,20 +86,34 @@ public:
           // A hair of tolerance, so that 90 degrees includes the cube's.
           least_cosine_(float(sin_cos_degrees(double(creases.angle)).cos) - 1e-6f) {
         const std::size_t count = faces.ends.empty() ? faces.corners.size() / 3 : faces.ends.size();
-        facets_.reserve(count);
-        for (std::size_t f = 0, first = 0, end = 0; f < count; ++f, first = end) {
-            end = faces.ends.empty() ? first + 3 : faces.ends[f];
-            facets_.push_back(make_facet(positions, faces.corners.subspan(first, end - first)));
-        }
+        facets_.resize(count);
+        in_chunks(count, [&](std::size_t first_face, std::size_t end_face) {
+            for (std::size_t f = first_face; f < end_face; ++f) {
+                const std::size_t first = faces.ends.empty() ? 3 * f : f == 0 ? 0 : faces.ends[f - 1];
+                const std::size_t end = faces.ends.empty() ? first + 3 : faces.ends[f];
+                facets_[f] = make_facet(positions, faces.corners.subspan(first, end - first));
+            }
+        });
     }
 
-    /// The normals of all corners that meet in one position.
+    /// The normals of all corners that meet in one position, at most `most_compared`. Each is a sum over those it
+    /// shares its normal with, in their order; corners that share with the same ones have one sum.
     void smooth(std::span<const std::uint32_t> corners, std::vector<glm::vec3>& normals) const {
+        using Sharing = std::bitset<most_compared>;
+        Sharing last_sharing;
+        glm::vec3 shared(0.0f);
         for (const std::uint32_t corner : corners) {
-            glm::dvec3 sum(0.0);
-            for (const std::uint32_t other : corners)
-                if (shares(face_of_[corner], face_of_[other])) sum += weighted(other);
-            normals[corner] = unit(sum, corner);
+            Sharing sharing;
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                if (shares(face_of_[corner], face_of_[corners[i]])) sharing.set(i);
+            if (sharing != last_sharing) {
+                glm::dvec3 sum(0.0);
+                for (std::size_t i = 0; i < corners.size(); ++i)
+                    if (sharing.test(i)) sum += weighted(corners[i]);
+                last_sharing = sharing;
+                shared = unit(sum);
+            }
+            normals[corner] = unit_or_own(shared, corner);
         }
     }
 
@@ -104,8 +128,9 @@ public:
             const std::uint32_t g = group_at(sorted[first]);
             for (last = first; last < sorted.size() && group_at(sorted[last]) == g; ++last)
                 sum += weighted(sorted[last]);
+            const glm::vec3 shared = unit(sum);
             for (std::size_t i = first; i < last; ++i)
-                normals[sorted[i]] = unit(g == smoothing_off ? weighted(sorted[i]) : sum, sorted[i]);
+                normals[sorted[i]] = unit_or_own(g == smoothing_off ? unit(weighted(sorted[i])) : shared, sorted[i]);
         }
     }
 
@@ -124,10 +149,14 @@ private:
         return glm::dvec3(facet.normal) * facet.weight;
     }
 
-    glm::vec3 unit(const glm::dvec3& sum, std::uint32_t corner) const {
+    /// Zero where opposite sides of a sheet cancel out.
+    static glm::vec3 unit(const glm::dvec3& sum) {
         const double length = std::sqrt(glm::dot(sum, sum));
-        if (length > 0) return glm::vec3(sum / length);
-        // Opposite sides of a sheet cancel out.
+        return length > 0 ? glm::vec3(sum / length) : glm::vec3(0.0f);
+    }
+
+    glm::vec3 unit_or_own(const glm::vec3& unit, std::uint32_t corner) const {
+        if (unit != glm::vec3(0.0f)) return unit;
         const Facet& own = facets_[face_of_[corner]];
         return own.weight > 0 ? own.normal : glm::vec3(0, 0, 1);
     }
@@ -145,15 +174,17 @@ std::vector<glm::vec3> make_normals(std::span<const glm::vec3> positions, const 
     const Meetings meetings = find_meetings(positions, faces.corners);
     const Smoother smoother(positions, faces, creases);
     std::vector<glm::vec3> normals(faces.corners.size());
-    for (std::size_t p = 0; p + 1 < meetings.first.size(); ++p) {
-        const std::span<const std::uint32_t> corners(meetings.corners.data() + meetings.first[p],
-                                                     meetings.first[p + 1] - meetings.first[p]);
-        if (corners.size() <= most_compared) {
-            smoother.smooth(corners, normals);
-        } else {
-            smoother.smooth_many(corners, normals);
+    in_chunks(meetings.first.size() - 1, [&](std::size_t first, std::size_t end) {
+        for (std::size_t p = first; p < end; ++p) {
+            const std::span<const std::uint32_t> corners(meetings.corners.data() + meetings.first[p],
+                                                         meetings.first[p + 1] - meetings.first[p]);
+            if (corners.size() <= most_compared) {
+                smoother.smooth(corners, normals);
+            } else {
+                smoother.smooth_many(corners, normals);
+            }
         }
-    }
+    });
     return normals;
 }
 

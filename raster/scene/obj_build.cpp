@@ -2,9 +2,11 @@
 #include <raster/scene/obj_build.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include <raster/scene/obj_dedup.h>
 #include <raster/scene/triangulate.h>
+#include <raster/tiles/parallel.h>
 
 namespace raster::obj {
 namespace {
@@ -12,6 +14,19 @@ namespace {
 bool is_finite(const glm::vec3& v) { return v.x - v.x == 0 && v.y - v.y == 0 && v.z - v.z == 0; }
 
 std::size_t first_corner(const ObjData& data, std::size_t face) { return face == 0 ? 0 : data.face_ends[face - 1]; }
+
+/// Whether test(i) is true for all i below `count`, on all threads.
+template <class Test>
+bool all_in_chunks(std::size_t count, const Test& test) {
+    constexpr std::size_t chunk = 16384;
+    std::atomic<bool> all{true};
+    tiles::parallel_for((count + chunk - 1) / chunk, [&](std::size_t n) {
+        bool good = true;
+        for (std::size_t i = n * chunk; i < std::min((n + 1) * chunk, count); ++i) good = good && test(i);
+        if (!good) all = false;
+    });
+    return all;
+}
 
 /// Frees the memory, which clear() does not.
 template <class T>
@@ -22,6 +37,13 @@ void release(std::vector<T>& v) {
 // A face may come before its vertices, so the ends of the arrays are known only now. A position beyond is an error,
 // anything else counts as missing. Afterwards an index is -1 or points at something finite; positions may be NaN.
 void check_indices(ObjData& data, std::string_view file, Log& log) {
+    const std::size_t positions = data.positions.size(), uvs = data.uvs.size(), normals = data.normals.size();
+    const auto is_good = [&](const Corner& c) {
+        return std::size_t(c.position) < positions &&
+               (c.uv < 0 || (std::size_t(c.uv) < uvs && data.uvs[c.uv].x - data.uvs[c.uv].x == 0)) &&
+               (c.normal < 0 || (std::size_t(c.normal) < normals && is_finite(data.normals[c.normal])));
+    };
+    if (all_in_chunks(data.corners.size(), [&](std::size_t c) { return is_good(data.corners[c]); })) return;
     for (std::size_t face = 0; face < data.face_ends.size(); ++face) {
         const Place place{file, data.face_lines[face]};
         for (std::size_t c = first_corner(data, face); c < data.face_ends[face]; ++c) {
@@ -70,8 +92,14 @@ Triangles cut_faces(const ObjData& data, std::string_view file, Log& log) {
             polygon.push_back(data.positions[data.corners[c].position]);
             all_finite = all_finite && is_finite(polygon.back());
         }
-        if (all_finite) triangulate(polygon, triangles.corners);
-        for (std::size_t c = before; c < triangles.corners.size(); ++c) triangles.corners[c] += std::uint32_t(first);
+        if (all_finite && polygon.size() == 3) {
+            if (!has_zero_area(polygon[0], polygon[1], polygon[2]))
+                for (std::uint32_t c = 0; c < 3; ++c) triangles.corners.push_back(std::uint32_t(first) + c);
+        } else if (all_finite) {
+            triangulate(polygon, triangles.corners);
+            for (std::size_t c = before; c < triangles.corners.size(); ++c)
+                triangles.corners[c] += std::uint32_t(first);
+        }
         if (triangles.corners.size() > before) continue;
 
         bad_ones_used |= !all_finite;
@@ -89,9 +117,8 @@ Triangles cut_faces(const ObjData& data, std::string_view file, Log& log) {
 std::vector<glm::vec3> missing_normals(const ObjData& data, const Triangles& triangles, const ObjOptions& options) {
     const auto needs_one = [&](std::uint32_t corner) { return data.corners[corner].normal < 0; };
     if (std::none_of(triangles.corners.begin(), triangles.corners.end(), needs_one)) return {};
-    std::vector<std::uint32_t> positions;
-    positions.reserve(data.corners.size());
-    for (const Corner& corner : data.corners) positions.push_back(std::uint32_t(corner.position));
+    std::vector<std::uint32_t> positions(data.corners.size());
+    for (std::size_t c = 0; c < positions.size(); ++c) positions[c] = std::uint32_t(data.corners[c].position);
     std::vector<std::uint32_t> groups(data.face_ends.size());
     for (std::size_t r = 0; r < data.runs.size(); ++r) {
         const std::size_t end = r + 1 < data.runs.size() ? data.runs[r + 1].first_face : groups.size();
@@ -110,12 +137,18 @@ void index_vertices(const ObjData& data, const Triangles& triangles, const std::
     model.indices.reserve(triangles.corners.size());
     model.vertices.reserve(std::min(data.positions.size(), triangles.corners.size()));
     Dedup<SurfaceVertex<float>> number(model.vertices);
+    // Most corners are the vertex that their position had the last time, which takes no search.
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> latest(data.positions.size(), none);
     for (const std::uint32_t c : triangles.corners) {
         const Corner& corner = data.corners[c];
-        model.indices.push_back(
-            number({data.positions[corner.position], corner.normal < 0 ? made_normals[c] : data.normals[corner.normal],
-                    corner.uv < 0 ? glm::vec2(0) : data.uvs[corner.uv],
-                    data.colors.empty() ? glm::vec3(1) : data.colors[corner.position]}));
+        const SurfaceVertex<float> vertex{
+            data.positions[corner.position], corner.normal < 0 ? made_normals[c] : data.normals[corner.normal],
+            corner.uv < 0 ? glm::vec2(0) : data.uvs[corner.uv],
+            data.colors.empty() ? glm::vec3(1) : data.colors[corner.position]};
+        std::uint32_t& index = latest[corner.position];
+        if (index == none || !same_bits(model.vertices[index], vertex)) index = number(vertex);
+        model.indices.push_back(index);
     }
 }
 

@@ -8,19 +8,31 @@ namespace raster::obj {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::max() - 1;
 
 bool is_finite(float x) { return x - x == 0; }
 
-/// The index from 0; below 0 for one that is missing (0) or counts back beyond the start.
-std::int64_t from_zero(int index, std::size_t count) {
-    return index > 0 ? std::int64_t(index) - 1 : index < 0 ? std::int64_t(count) + index : -1;
-}
-
 }  // namespace
 
-Collector::Collector(std::string_view file, const ObjOptions& options, Log& log)
-    : here_{file}, options_(options), log_(log), max_items_(3 * std::min(options.max_triangles, max_corners / 3)) {}
+Collector::Collector(std::string_view file, const ObjOptions& options, Log& log, Start start)
+    : here_{file},
+      options_(options),
+      log_(log),
+      max_items_(3 * std::min(options.max_triangles, max_corners / 3)),
+      start_(start) {
+    if (start == Start::in_between) state_ = {0, Run::as_before, Run::as_before, Run::smoothing_as_before};
+}
+
+/// The index from 0; below 0 for one that is missing (0) or counts back beyond the start. Where that is not known yet,
+/// what counts back is noted.
+std::int64_t Collector::resolve(int index, std::size_t count, int part, std::int64_t& lowest) {
+    if (index > 0) return std::int64_t(index) - 1;
+    if (index == 0) return -1;
+    const std::int64_t from_zero = std::int64_t(count) + index;
+    if (start_ == Start::at_the_top) return from_zero;
+    lowest = std::min(lowest, from_zero);
+    counting_back_.push_back(std::uint32_t(3 * data_.corners.size()) + std::uint32_t(part));
+    return from_zero;
+}
 
 bool Collector::has_room(std::size_t count, std::string_view what) {
     if (count < max_items_) return true;
@@ -95,12 +107,18 @@ void Collector::face(std::span<const Corner> corners) {
     triangles_ += corners.size() - 2;
     if (triangles_ > options_.max_triangles || data_.corners.size() + corners.size() > max_corners)
         return log_.fail(here_, "more triangles than the limit of " + std::to_string(options_.max_triangles));
+    const bool may_be_below = start_ == Start::in_between;
     for (const Corner& c : corners) {
-        const std::int64_t p = from_zero(c.position, data_.positions.size());
-        if (p < 0)
+        const std::int64_t p = resolve(c.position, data_.positions.size(), 0, lowest_.position);
+        if (p < 0 && !(may_be_below && c.position < 0))
             return log_.fail(here_, "vertex " + std::to_string(c.position) + " does not exist: " +
                                         std::to_string(data_.positions.size()) + " were given so far");
-        const std::int64_t t = from_zero(c.uv, data_.uvs.size()), n = from_zero(c.normal, data_.normals.size());
+        const std::int64_t t = resolve(c.uv, data_.uvs.size(), 1, lowest_.uv);
+        const std::int64_t n = resolve(c.normal, data_.normals.size(), 2, lowest_.normal);
+        if (may_be_below) {
+            data_.corners.push_back({std::int32_t(p), std::int32_t(t), std::int32_t(n)});
+            continue;
+        }
         if (c.uv != 0 && t < 0) report_bad_uv_index(here_, log_);
         if (c.normal != 0 && n < 0) report_bad_normal_index(here_, log_);
         data_.corners.push_back({std::int32_t(p), t < 0 ? -1 : std::int32_t(t), n < 0 ? -1 : std::int32_t(n)});
@@ -110,23 +128,29 @@ void Collector::face(std::span<const Corner> corners) {
     data_.face_lines.push_back(std::uint32_t(std::min<std::size_t>(here_.line, 0xffffffffu)));
 }
 
-/// Names are kept only when a face comes, so that a file of names alone takes no memory.
+// Names are kept only when a face comes, so that a file of names alone takes no memory.
+void Collector::use_new_name() {
+    if (!new_name_) return;
+    const auto [found, is_new] = name_numbers_.emplace(*new_name_, int(data_.names.size()));
+    if (is_new) data_.names.push_back(*new_name_);
+    state_.name = found->second;
+    new_name_.reset();
+}
+
+void Collector::use_new_material() {
+    if (!new_material_) return;
+    const auto [found, is_new] = material_numbers_.emplace(*new_material_, int(data_.material_names.size()));
+    if (is_new) {
+        data_.material_names.push_back(*new_material_);
+        data_.material_lines.push_back(std::uint32_t(std::min<std::size_t>(material_line_, 0xffffffffu)));
+    }
+    state_.material = found->second;
+    new_material_.reset();
+}
+
 void Collector::begin_run() {
-    if (new_name_) {
-        const auto [found, is_new] = name_numbers_.emplace(*new_name_, int(data_.names.size()));
-        if (is_new) data_.names.push_back(*new_name_);
-        state_.name = found->second;
-        new_name_.reset();
-    }
-    if (new_material_) {
-        const auto [found, is_new] = material_numbers_.emplace(*new_material_, int(data_.material_names.size()));
-        if (is_new) {
-            data_.material_names.push_back(*new_material_);
-            data_.material_lines.push_back(std::uint32_t(std::min<std::size_t>(material_line_, 0xffffffffu)));
-        }
-        state_.material = found->second;
-        new_material_.reset();
-    }
+    use_new_name();
+    use_new_material();
     state_.first_face = std::uint32_t(data_.face_ends.size());
     if (data_.runs.empty() || !data_.runs.back().continues_as(state_)) data_.runs.push_back(state_);
 }

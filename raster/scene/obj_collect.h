@@ -29,10 +29,16 @@ struct Run {
     int material;  ///< into ObjData::material_names; -1 before the first usemtl
     std::uint32_t smoothing;
 
+    // Of a Collector that starts in between, until a statement says otherwise.
+    static constexpr int as_before = -2;
+    static constexpr std::uint32_t smoothing_as_before = 0xfffffffeu;  // no number of a group is so large
+
     bool continues_as(const Run& next) const {
         return name == next.name && material == next.material && smoothing == next.smoothing;
     }
 };
+
+constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::max() - 1;
 
 /// What the file says, before any of it is judged as geometry.
 struct ObjData {
@@ -54,10 +60,16 @@ struct ObjData {
     std::string bad_position_word;
 };
 
+/// Where in the file a Collector starts.
+enum class Start {
+    at_the_top,
+    in_between,  ///< what comes before is being read elsewhere: names, materials, groups and counts are not known yet
+};
+
 /// Takes one statement after the other into an ObjData. Faults go to the log.
 class Collector {
 public:
-    Collector(std::string_view file, const ObjOptions& options, Log& log);
+    Collector(std::string_view file, const ObjOptions& options, Log& log, Start start = Start::at_the_top);
 
     /// The line that the next statements stand in.
     void set_line(std::size_t line) { here_.line = line; }
@@ -75,7 +87,22 @@ public:
 
     ObjData& data() { return data_; }
 
+    /// Whether take_over() leaves everything as if the statements of `next`, a Collector that started in between, had
+    /// come here one by one: no limit is passed, and no index counts back beyond the start.
+    bool can_take_over(const Collector& next) const;
+    /// Appends what `next` has collected. Its lines come after the first `lines_before`.
+    void take_over(Collector& next, std::size_t lines_before);
+
 private:
+    /// The lowest index of a kind that counts back, from this Collector's start; it can lie before that.
+    struct Lowest {
+        std::int64_t position = 0, uv = 0, normal = 0;
+    };
+
+    std::int64_t resolve(int index, std::size_t count, int part, std::int64_t& lowest);
+    void use_new_name();
+    void use_new_material();
+    void take_over_runs(Collector& next, std::size_t lines_before);
     bool has_room(std::size_t count, std::string_view what);
     void color(const Numbers& numbers);
     void begin_run();
@@ -90,6 +117,9 @@ private:
     std::size_t material_line_ = 0;
     Run state_{0, -1, -1, smoothing_by_angle};
     std::size_t triangles_ = 0;
+    const Start start_;
+    Lowest lowest_;
+    std::vector<std::uint32_t> counting_back_;  ///< 3 times the corner and 0 to 2 for the part; in between only
 };
 
 /// The warnings about indices that are taken for missing.

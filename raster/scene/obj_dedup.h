@@ -1,11 +1,23 @@
 // obj_dedup.h: a table in which equal values find each other.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
 namespace raster::obj {
+
+/// Of types without padding, whose sizes are multiples of four.
+template <class T>
+bool same_bits(const T& a, const T& b) {
+    static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
+    constexpr std::size_t words = sizeof(T) / sizeof(std::uint32_t);
+    std::uint32_t first[words], second[words], difference = 0;
+    std::memcpy(first, &a, sizeof(T)), std::memcpy(second, &b, sizeof(T));
+    for (std::size_t i = 0; i < words; ++i) difference |= first[i] ^ second[i];
+    return difference == 0;
+}
 
 /// Gives equal values the same number. The values stand in a vector of the caller's; the table holds their numbers
 /// only (open addressing, at most half full). T is compared bit by bit: it has no padding, and -0 differs from 0.
@@ -21,7 +33,7 @@ public:
         if (2 * values_.size() >= slots_.size()) grow();
         std::size_t slot = hash(value) & (slots_.size() - 1);
         while (slots_[slot] != empty) {
-            if (std::memcmp(&values_[slots_[slot]], &value, sizeof(T)) == 0) return slots_[slot];
+            if (same_bits(values_[slots_[slot]], value)) return slots_[slot];
             slot = (slot + 1) & (slots_.size() - 1);
         }
         slots_[slot] = std::uint32_t(values_.size());

@@ -4,12 +4,11 @@
 #include <algorithm>
 
 namespace raster::obj {
+namespace {
 
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
-}
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+}  // namespace
 
 std::string_view next_word(std::string_view& text) {
     std::size_t start = 0;
@@ -30,11 +29,26 @@ bool is_utf16(std::string_view bytes) {
     return pairs >= 4 && ((zeros[0] == pairs && zeros[1] == 0) || (zeros[1] == pairs && zeros[0] == 0));
 }
 
-LineReader::LineReader(std::string_view bytes, std::size_t max_line_bytes)
-    : bytes_(bytes), max_line_bytes_(max_line_bytes) {
-    if (bytes_.starts_with("\xef\xbb\xbf")) bytes_.remove_prefix(3);
+std::size_t next_start(std::string_view bytes, std::size_t at) {
+    at = std::min(at, bytes.size());
+    if (at > 0 && bytes.substr(at - 1).starts_with("\r\n")) --at;
+    for (at = bytes.find_first_of("\r\n", at); at < bytes.size(); at = bytes.find_first_of("\r\n", at)) {
+        std::size_t last = at;
+        while (last > 0 && is_blank(bytes[last - 1])) --last;
+        const bool goes_on = last > 0 && bytes[last - 1] == '\\';
+        at += bytes.substr(at).starts_with("\r\n") ? 2 : 1;
+        // A byte-order mark counts at the top only, and each piece has a top.
+        if (!goes_on && !bytes.substr(at).starts_with(byte_order_mark)) return at;
+    }
+    return bytes.size();
+}
+
+LineReader::LineReader(std::string_view bytes, std::size_t max_line_bytes, std::size_t lines_before)
+    : bytes_(bytes), max_line_bytes_(max_line_bytes), lines_taken_(lines_before) {
+    if (bytes_.starts_with(byte_order_mark)) bytes_.remove_prefix(byte_order_mark.size());
     next_lf_ = find('\n', std::string_view::npos);
     next_cr_ = find('\r', std::string_view::npos);
+    any_zeros_ = bytes_.find('\0') != std::string_view::npos;
 }
 
 // Each kind of line end is looked for again only when the last one found is passed. Otherwise a file without LF
@@ -62,7 +76,7 @@ bool LineReader::next() {
         if (line.empty() || line.front() == '#') continue;
 
         const bool is_joined = line.back() == '\\';
-        const bool has_zeros = line.find('\0') != line.npos;
+        const bool has_zeros = any_zeros_ && line.find('\0') != line.npos;
         if (is_joined || has_zeros) {
             joined_.clear();
             while (true) {

@@ -1,195 +1,133 @@
-// obj_parse.cpp: tinyobjloader reads the file, from a stream that checks each statement before handing it over.
+// obj_parse.cpp: a text in pieces, read on all threads and put together in order.
 //
-// tinyobjloader tells statements apart and takes them to pieces. By itself it says nothing of bad numbers and
-// indices, does not know the line, and opens whatever a file names; so it gets one clean statement at a time, and
-// while it calls back about it, the checked numbers and the line of this statement are at hand.
+// A piece does not know what comes before it: how many vertices there are, which material is in force, how many
+// warnings were given. Where all is well, which is nearly always, that can be added when the piece is put behind the
+// others. Where it is not, an error or a limit passed, what was read ahead is thrown away, and the piece is read again
+// behind what came before, as if there were no pieces at all.
 #include <raster/scene/obj_parse.h>
 
 #include <algorithm>
-#include <istream>
-#include <streambuf>
-
-#include <tiny_obj_loader.h>
+#include <exception>
+#include <memory>
 
 #include <raster/scene/obj_lines.h>
-#include <raster/scene/obj_tokens.h>
+#include <raster/scene/obj_statements.h>
+#include <raster/tiles/parallel.h>
 
 namespace raster::obj {
 namespace {
 
-// Curves, surfaces and display settings: right in an OBJ file, but nothing that is drawn here.
-constexpr std::string_view unused_statements[] = {
-    "vp",         "cstype",    "deg",   "bmat",  "step", "curv",  "curv2",    "surf",     "parm", "trim",   "hole",
-    "scrv",       "sp",        "end",   "con",   "mg",   "bevel", "c_interp", "d_interp", "lod",  "maplib", "usemap",
-    "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",   "bzp",      "bsp",      "cdc",  "cdp",    "res"};
+std::vector<std::string_view> split(std::string_view bytes, std::size_t piece_bytes) {
+    std::vector<std::string_view> pieces;
+    for (std::size_t start = 0; start < bytes.size();) {
+        const std::size_t end = next_start(bytes, std::min(bytes.size(), start + piece_bytes));
+        pieces.push_back(bytes.substr(start, end - start));
+        start = end;
+    }
+    return pieces;
+}
 
-std::string join(std::string_view a, std::string_view b) { return std::string(a) + std::string(b); }
+/// A piece that is read without knowing what comes before.
+struct Ahead {
+    Ahead(std::string_view file, const ObjOptions& options)
+        : log(report, options.strict), collect(file, options, log, Start::in_between) {}
 
-class Parser final : public std::streambuf, public tinyobj::MaterialReader {
+    LoadReport report;
+    Log log;
+    Collector collect;
+    PieceRead read;
+};
+
+/// Null if it has to be read in order.
+std::unique_ptr<Ahead> read_ahead(std::string_view text, std::string_view file, const ObjOptions& options) {
+    try {
+        auto ahead = std::make_unique<Ahead>(file, options);
+        ahead->read = read_statements({text}, options, nullptr, ahead->collect, ahead->log);
+        const bool is_whole = !ahead->log.failed() && ahead->read.line_too_long == 0;
+        // Warnings about material files come between those of the piece, and can be errors.
+        const bool in_order =
+            ahead->read.mtllibs.empty() || (ahead->report.warnings.empty() && !options.strict);
+        return is_whole && in_order ? std::move(ahead) : nullptr;
+    } catch (const std::exception&) {  // no memory; there may be enough for one piece at a time
+        return nullptr;
+    }
+}
+
+class Reader {
 public:
-    Parser(std::string_view bytes, std::string_view file, const Finder* finder, const ObjOptions& options, Log& log)
-        : size_(bytes.size()),
-          lines_(bytes, options.max_line_bytes),
+    Reader(std::string_view bytes, std::string_view file, const Finder* finder, const ObjOptions& options, Log& log)
+        : bytes_(bytes),
+          file_(file),
           options_(options),
-          material_files_(finder, options.max_material_bytes),
           log_(log),
+          material_files_(finder, options.max_material_bytes),
           collect_(file, options, log) {}
 
-    ObjData run() {
-        tinyobj::callback_t callbacks;
-        callbacks.vertex_cb = [](void* p, float, float, float, float) { self(p).collect_.position(self(p).numbers_); };
-        callbacks.texcoord_cb = [](void* p, float, float, float) { self(p).collect_.uv(self(p).numbers_); };
-        callbacks.normal_cb = [](void* p, float, float, float) { self(p).collect_.normal(self(p).numbers_); };
-        callbacks.index_cb = [](void* p, tinyobj::index_t* corners, int count) { self(p).face(corners, count); };
-        callbacks.usemtl_cb = [](void* p, const char* name, int) { self(p).collect_.material(name); };
-        callbacks.group_cb = [](void* p, const char** names, int count) { self(p).group(names, count); };
-        callbacks.object_cb = [](void* p, const char* name) { self(p).collect_.name(name); };
-
-        std::istream stream(this);
-        stream.exceptions(std::ios::badbit);  // or the end of memory would look like the end of the file
-        std::string warnings, errors;         // all of them are reported here, with their lines
-        tinyobj::LoadObjWithCallback(stream, callbacks, this, this, &warnings, &errors);
-        finish();
+    ObjData run(std::size_t piece_bytes) {
+        const std::vector<std::string_view> pieces = split(bytes_, piece_bytes);
+        constexpr std::size_t at_once = 32;  // what is read ahead takes memory
+        const std::size_t longest = 16 * piece_bytes;
+        for (std::size_t first = 0; first < pieces.size() && !log_.failed(); first += at_once) {
+            std::vector<std::unique_ptr<Ahead>> ahead(std::min(at_once, pieces.size() - first));
+            tell_progress(pieces[first].data());
+            if (pieces.size() > 1)
+                tiles::parallel_for(ahead.size(), [&](std::size_t i) {
+                    const std::string_view text = pieces[first + i];
+                    if (text.size() <= longest) ahead[i] = read_ahead(text, file_, options_);
+                });
+            for (std::size_t i = 0; i < ahead.size() && !log_.failed(); ++i) {
+                if (ahead[i] && log_.can_take_over(ahead[i]->report) && collect_.can_take_over(ahead[i]->collect)) {
+                    take_over(*ahead[i]);
+                } else {
+                    read_in_order(pieces[first + i]);
+                }
+                ahead[i].reset();
+            }
+        }
+        if (first_line_with_zeros_ > 0) log_.warn({file_, first_line_with_zeros_}, "zero bytes, taken for blanks");
+        log_.report().has_vertex_colors = !collect_.data().colors.empty();
         return std::move(collect_.data());
     }
 
 private:
-    static Parser& self(void* p) { return *static_cast<Parser*>(p); }
-    const Place& here() const { return collect_.here(); }
-
-    // ------------------------------------------------------------------------ the stream that is handed over
-
-    int_type underflow() override {
-        while (!log_.failed() && lines_.next()) {
-            collect_.set_line(lines_.line());
-            tell_progress();
-            if (!prepare(lines_.text())) continue;
-            statement_ += '\n';
-            setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
-            return traits_type::to_int_type(statement_.front());
-        }
-        return traits_type::eof();
+    void read_in_order(std::string_view text) {
+        Piece piece{text, lines_};
+        if (options_.progress) piece.progress = [&](std::size_t read) { tell_progress(text.data() + read); };
+        const PieceRead read = read_statements(piece, options_, &material_files_, collect_, log_);
+        if (read.line_too_long > 0)
+            log_.fail({file_, read.line_too_long}, "a line of more than " + std::to_string(options_.max_line_bytes) +
+                                                       " bytes; is this an OBJ file?");
+        if (first_line_with_zeros_ == 0) first_line_with_zeros_ = read.first_line_with_zeros;
+        lines_ = read.lines;
     }
 
-    /// Makes statement_ what tinyobjloader shall see. False if it need not see it.
-    bool prepare(std::string_view text) {
-        const std::string_view key = next_word(text);
-        if (key == "v" || key == "vt" || key == "vn") {
-            numbers_ = parse_numbers(without_comment(text));
-            statement_ = join(key, " 0");  // the numbers are read already, see parse_number
-        } else if (key == "f") {
-            prepare_face(without_comment(text));
-        } else if (key == "usemtl" || key == "o") {
-            statement_ = join(key, " ").append(text);
-        } else if (key == "g") {
-            statement_ = join("g ", text.empty() ? "default" : text);
-        } else if (key == "mtllib") {
-            // The names are taken from the line itself: tinyobjloader splits them at blanks, eats backslashes, and
-            // asks only until it has found one.
-            mtllib_names_ = text;
-            statement_ = "mtllib names";
-        } else {
-            handle(key, text);
-            return false;
-        }
-        return !log_.failed();
+    void take_over(Ahead& ahead) {
+        log_.take_over(ahead.report, lines_);
+        for (const Mtllib& mtllib : ahead.read.mtllibs)
+            material_files_.read(mtllib.names, {file_, lines_ + mtllib.line}, collect_.data().library, log_);
+        collect_.take_over(ahead.collect, lines_);
+        if (first_line_with_zeros_ == 0 && ahead.read.first_line_with_zeros > 0)
+            first_line_with_zeros_ = lines_ + ahead.read.first_line_with_zeros;
+        lines_ += ahead.read.lines;
     }
 
-    /// Statements that tinyobjloader does not call back about.
-    void handle(std::string_view key, std::string_view text) {
-        if (key == "s") {
-            collect_.smoothing(without_comment(text));
-        } else if (key == "l") {
-            ++log_.report().lines;
-        } else if (key == "p") {
-            ++log_.report().points;
-        } else if (std::find(std::begin(unused_statements), std::end(unused_statements), key) !=
-                   std::end(unused_statements)) {
-            log_.note(here(), join(key, " is not drawn here"));
-        } else {
-            log_.warn(here(), "unknown statement " + in_quotes(key));
-        }
+    void tell_progress(const char* at) const {
+        if (options_.progress) options_.progress(0.7 * double(at - bytes_.data()) / double(bytes_.size()));
     }
 
-    /// The corners in their plainest form. A position that cannot be is the end; anything else counts as missing.
-    void prepare_face(std::string_view text) {
-        statement_ = "f";
-        for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
-            const CornerWord corner = parse_corner(word);
-            const auto bad = CornerWord::Index::bad, good = CornerWord::Index::good;
-            if (!corner.well_formed)
-                return log_.fail(here(), in_quotes(word) + " is not a corner such as 7, 7/2, 7//3 or 7/2/3");
-            if (corner.state[0] == bad)
-                return log_.fail(here(),
-                                 in_quotes(corner.part[0]) + " is not the number of a vertex; they count from 1");
-            if (corner.state[1] == bad) report_bad_uv_index(here(), log_);
-            if (corner.state[2] == bad) report_bad_normal_index(here(), log_);
-            statement_.append(" ").append(corner.part[0]);
-            if (corner.state[1] == good) statement_.append("/").append(corner.part[1]);
-            if (corner.state[2] == good) statement_.append(corner.state[1] == good ? "/" : "//").append(corner.part[2]);
-        }
-        // tinyobjloader passes over a face without corners.
-        if (statement_ == "f") collect_.face({});
-    }
-
-    // ------------------------------------------------------------------------------ what tinyobjloader found
-
-    void face(const tinyobj::index_t* corners, int count) {
-        corners_.clear();
-        for (int i = 0; i < count; ++i)
-            corners_.push_back({corners[i].vertex_index, corners[i].texcoord_index, corners[i].normal_index});
-        collect_.face(corners_);
-    }
-
-    void group(const char* const* names, int count) {
-        std::string all;
-        for (int i = 0; i < count; ++i) all.append(i == 0 ? "" : " ").append(names[i]);
-        collect_.name(all);
-    }
-
-    /// tinyobjloader asks for a material file. Its own materials and messages are not used.
-    bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>*, std::string*,
-                    std::string*) override {
-        material_files_.read(mtllib_names_, here(), collect_.data().library, log_);
-        return false;
-    }
-
-    // ---------------------------------------------------------------------------------------------- the ends
-
-    void tell_progress() {
-        if (!options_.progress || lines_.position() < next_progress_) return;
-        options_.progress(0.7 * double(lines_.position()) / double(size_));
-        next_progress_ = lines_.position() + size_ / 64;
-    }
-
-    void finish() {
-        if (lines_.is_too_long())
-            log_.fail({here().file, lines_.line()}, "a line of more than " + std::to_string(options_.max_line_bytes) +
-                                                        " bytes; is this an OBJ file?");
-        if (lines_.first_line_with_zeros() > 0)
-            log_.warn({here().file, lines_.first_line_with_zeros()}, "zero bytes, taken for blanks");
-        log_.report().has_vertex_colors = !collect_.data().colors.empty();
-    }
-
-    const std::size_t size_;
-    LineReader lines_;
+    const std::string_view bytes_, file_;
     const ObjOptions& options_;
-    MaterialFiles material_files_;
     Log& log_;
+    MaterialFiles material_files_;
     Collector collect_;
-
-    std::string statement_;  ///< what tinyobjloader reads at present
-    Numbers numbers_;        ///< of that statement
-    std::string_view mtllib_names_;
-    std::vector<Corner> corners_;
-    std::size_t next_progress_ = 0;
+    std::size_t lines_ = 0, first_line_with_zeros_ = 0;
 };
 
 }  // namespace
 
 ObjData parse_statements(std::string_view bytes, std::string_view file, const Finder* finder, const ObjOptions& options,
-                         Log& log) {
-    return Parser(bytes, file, finder, options, log).run();
+                         Log& log, std::size_t piece_bytes) {
+    return Reader(bytes, file, finder, options, log).run(piece_bytes);
 }
 
 }  // namespace raster::obj

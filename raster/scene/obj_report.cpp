@@ -86,6 +86,22 @@ void Log::fail(const Place& place, const std::string& text) {
     if (!error_) error_ = make_error(place, text);
 }
 
+bool Log::can_take_over(const LoadReport& next) const {
+    return next.warnings_left_out == 0 && report_.warnings.size() + next.warnings.size() < most_warnings;
+}
+
+void Log::take_over(const LoadReport& next, std::size_t lines_before) {
+    for (const LoadWarning& warning : next.warnings)
+        add({warning.file, warning.line + lines_before}, warning.text, warning.plural, warning.count);
+    report_.positions += next.positions;
+    report_.texture_coordinates += next.texture_coordinates;
+    report_.normals += next.normals;
+    report_.faces += next.faces;
+    report_.dropped_faces += next.dropped_faces;
+    report_.lines += next.lines;
+    report_.points += next.points;
+}
+
 void Log::add(const Place& place, std::string_view text, std::string_view plural, std::size_t times) {
     std::string key(place.file);
     key += '\n';

@@ -35,6 +35,11 @@ public:
     /// Ends the loading. The first error counts.
     void fail(const Place& place, const std::string& text);
 
+    /// Whether take_over() leaves the report as if all that is in `next` had come here one by one.
+    bool can_take_over(const LoadReport& next) const;
+    /// Appends what was found in a later piece of the file; its lines come after the first `lines_before`.
+    void take_over(const LoadReport& next, std::size_t lines_before);
+
     bool is_strict() const { return strict_; }
     bool failed() const { return error_.has_value(); }
     const Error& error() const { return *error_; }

@@ -2,6 +2,8 @@
 #include <raster/scene/obj_tokens.h>
 
 #include <algorithm>
+#include <bit>
+#include <cfloat>
 #include <charconv>
 #include <cstdint>
 #include <limits>
@@ -40,6 +42,36 @@ CornerWord::Index check_index(std::string_view part) {
                                                                                          : CornerWord::Index::bad;
 }
 
+/// Reads [sign] digits [. digits] up to a blank or the end, as most files have their numbers. Null if what stands there
+/// is another number, or none; else the end.
+///
+/// With at most 15 digits both the digits as a whole number and the power of ten are exact in double, and the quotient
+/// is the nearest double (Clinger, "How to Read Floating Point Numbers Accurately", 1990). Its nearest float is the
+/// number's own, unless the double lies half way between two floats: the number itself may lie to either side.
+const char* read_plain_number(const char* at, const char* end, float& value) {
+    static constexpr double powers_of_ten[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    if (FLT_EVAL_METHOD != 0) return nullptr;  // doubles are not doubles
+    const bool is_negative = at != end && *at == '-';
+    if (is_negative || (at != end && *at == '+')) ++at;
+    std::uint64_t digits = 0;
+    const char* const first = at;
+    for (; at != end && is_digit(*at); ++at) digits = 10 * digits + std::uint64_t(*at - '0');
+    std::ptrdiff_t count = at - first, decimals = 0;
+    if (at != end && *at == '.') {
+        const char* const point = at++;
+        for (; at != end && is_digit(*at); ++at) digits = 10 * digits + std::uint64_t(*at - '0');
+        decimals = at - point - 1;
+        count += decimals;
+    }
+    if (count == 0 || count > 15 || (at != end && !is_blank(*at))) return nullptr;
+    const double quotient = double(digits) / powers_of_ten[decimals];
+    constexpr std::uint64_t below_float = (std::uint64_t(1) << 29) - 1, half_way = std::uint64_t(1) << 28;
+    if ((std::bit_cast<std::uint64_t>(quotient) & below_float) == half_way) return nullptr;
+    value = is_negative ? -float(quotient) : float(quotient);
+    return at;
+}
+
 }  // namespace
 
 float parse_number(std::string_view word) {
@@ -58,14 +90,54 @@ float parse_number(std::string_view word) {
 
 Numbers parse_numbers(std::string_view words) {
     Numbers numbers;
-    for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
-        const float value = parse_number(word);
-        // Infinity minus itself is NaN, and so is NaN: only what is finite gives 0.
-        if (!(value - value == 0) && numbers.first_bad.empty()) numbers.first_bad = word;
+    const char* at = words.data();
+    const char* const end = at + words.size();
+    for (;;) {
+        while (at != end && is_blank(*at)) ++at;
+        if (at == end) return numbers;
+        float value = 0;
+        if (const char* const plain_end = read_plain_number(at, end, value)) {
+            at = plain_end;
+        } else {
+            const char* const start = at;
+            while (at != end && !is_blank(*at)) ++at;
+            const std::string_view word(start, std::size_t(at - start));
+            value = parse_number(word);
+            // Infinity minus itself is NaN, and so is NaN: only what is finite gives 0.
+            if (!(value - value == 0) && numbers.first_bad.empty()) numbers.first_bad = word;
+        }
         if (numbers.count < 8) numbers.value[numbers.count] = value;
         ++numbers.count;
     }
-    return numbers;
+}
+
+bool has_plain_corners(std::string_view words) {
+    const char* at = words.data();
+    const char* const end = at + words.size();
+    const auto skip_index = [&] {
+        if (at != end && (*at == '-' || *at == '+')) ++at;
+        const char* const first = at;
+        bool is_zero = true;
+        for (; at != end && is_digit(*at); ++at) is_zero = is_zero && *at == '0';
+        return !is_zero && at - first <= 9;
+    };
+    while (at != end) {
+        if (!skip_index()) return false;
+        if (at != end && *at == '/') {
+            ++at;
+            const bool has_uv = at != end && *at != '/';
+            if (has_uv && !skip_index()) return false;
+            if (at != end && *at == '/') {
+                ++at;
+                if (!skip_index()) return false;
+            } else if (!has_uv) {
+                return false;
+            }
+        }
+        if (at != end && !is_blank(*at)) return false;
+        while (at != end && is_blank(*at)) ++at;
+    }
+    return !words.empty();
 }
 
 CornerWord parse_corner(std::string_view word) {
@@ -84,8 +156,8 @@ CornerWord parse_corner(std::string_view word) {
 }
 
 std::string_view without_comment(std::string_view text) {
-    for (std::size_t i = 1; i < text.size(); ++i)
-        if (text[i] == '#' && is_blank(text[i - 1])) return trimmed(text.substr(0, i));
+    for (std::size_t i = text.find('#', 1); i < text.size(); i = text.find('#', i + 1))
+        if (is_blank(text[i - 1])) return trimmed(text.substr(0, i));
     return text;
 }
 

@@ -1,0 +1,195 @@
+// obj_statements.cpp: tinyobjloader reads the text, from a stream that checks each statement before handing it over.
+//
+// tinyobjloader tells statements apart and takes them to pieces. By itself it says nothing of bad numbers and
+// indices, does not know the line, and opens whatever a file names; so it gets one clean statement at a time, and
+// while it calls back about it, the checked numbers and the line of this statement are at hand.
+#include <raster/scene/obj_statements.h>
+
+#include <algorithm>
+#include <istream>
+#include <streambuf>
+
+#include <tiny_obj_loader.h>
+
+#include <raster/scene/obj_lines.h>
+#include <raster/scene/obj_tokens.h>
+
+namespace raster::obj {
+namespace {
+
+// Curves, surfaces and display settings: right in an OBJ file, but nothing that is drawn here.
+constexpr std::string_view unused_statements[] = {
+    "vp",         "cstype",    "deg",   "bmat",  "step", "curv",  "curv2",    "surf",     "parm", "trim",   "hole",
+    "scrv",       "sp",        "end",   "con",   "mg",   "bevel", "c_interp", "d_interp", "lod",  "maplib", "usemap",
+    "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",   "bzp",      "bsp",      "cdc",  "cdp",    "res"};
+
+std::string join(std::string_view a, std::string_view b) { return std::string(a) + std::string(b); }
+
+class Parser final : public std::streambuf, public tinyobj::MaterialReader {
+public:
+    Parser(const Piece& piece, const ObjOptions& options, MaterialFiles* material_files, Collector& collect, Log& log)
+        : lines_(piece.text, options.max_line_bytes, piece.lines_before),
+          progress_step_(piece.text.size() / 64),
+          progress_(piece.progress),
+          material_files_(material_files),
+          log_(log),
+          collect_(collect) {}
+
+    PieceRead run() {
+        tinyobj::callback_t callbacks;
+        callbacks.vertex_cb = [](void* p, float, float, float, float) { self(p).collect_.position(self(p).numbers_); };
+        callbacks.texcoord_cb = [](void* p, float, float, float) { self(p).collect_.uv(self(p).numbers_); };
+        callbacks.normal_cb = [](void* p, float, float, float) { self(p).collect_.normal(self(p).numbers_); };
+        callbacks.index_cb = [](void* p, tinyobj::index_t* corners, int count) { self(p).face(corners, count); };
+        callbacks.usemtl_cb = [](void* p, const char* name, int) { self(p).collect_.material(name); };
+        callbacks.group_cb = [](void* p, const char** names, int count) { self(p).group(names, count); };
+        callbacks.object_cb = [](void* p, const char* name) { self(p).collect_.name(name); };
+
+        std::istream stream(this);
+        stream.exceptions(std::ios::badbit);  // or the end of memory would look like the end of the file
+        std::string warnings, errors;         // all of them are reported here, with their lines
+        tinyobj::LoadObjWithCallback(stream, callbacks, this, this, &warnings, &errors);
+        read_.lines = lines_.lines_taken();
+        read_.line_too_long = lines_.is_too_long() ? lines_.line() : 0;
+        read_.first_line_with_zeros = lines_.first_line_with_zeros();
+        return std::move(read_);
+    }
+
+private:
+    static Parser& self(void* p) { return *static_cast<Parser*>(p); }
+    const Place& here() const { return collect_.here(); }
+
+    // ------------------------------------------------------------------------ the stream that is handed over
+
+    int_type underflow() override {
+        while (!log_.failed() && lines_.next()) {
+            collect_.set_line(lines_.line());
+            tell_progress();
+            if (!prepare(lines_.text())) continue;
+            statement_ += '\n';
+            setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
+            return traits_type::to_int_type(statement_.front());
+        }
+        return traits_type::eof();
+    }
+
+    /// Makes statement_ what tinyobjloader shall see. False if it need not see it.
+    bool prepare(std::string_view text) {
+        const std::string_view key = next_word(text);
+        if (key == "v" || key == "vt" || key == "vn") {
+            numbers_ = parse_numbers(without_comment(text));
+            (statement_ = key) += " 0";  // the numbers are read already, see parse_number
+        } else if (key == "f") {
+            prepare_face(without_comment(text));
+        } else if (key == "usemtl" || key == "o") {
+            statement_ = join(key, " ").append(text);
+        } else if (key == "g") {
+            statement_ = join("g ", text.empty() ? "default" : text);
+        } else if (key == "mtllib") {
+            // The names are taken from the line itself: tinyobjloader splits them at blanks, eats backslashes, and
+            // asks only until it has found one.
+            mtllib_names_ = text;
+            statement_ = "mtllib names";
+        } else {
+            handle(key, text);
+            return false;
+        }
+        return !log_.failed();
+    }
+
+    /// Statements that tinyobjloader does not call back about.
+    void handle(std::string_view key, std::string_view text) {
+        if (key == "s") {
+            collect_.smoothing(without_comment(text));
+        } else if (key == "l") {
+            ++log_.report().lines;
+        } else if (key == "p") {
+            ++log_.report().points;
+        } else if (std::find(std::begin(unused_statements), std::end(unused_statements), key) !=
+                   std::end(unused_statements)) {
+            log_.note(here(), join(key, " is not drawn here"));
+        } else {
+            log_.warn(here(), "unknown statement " + in_quotes(key));
+        }
+    }
+
+    /// The corners in their plainest form. A position that cannot be is the end; anything else counts as missing.
+    void prepare_face(std::string_view text) {
+        if (has_plain_corners(text)) {
+            (statement_ = "f ") += text;
+            return;
+        }
+        statement_ = "f";
+        for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
+            const CornerWord corner = parse_corner(word);
+            const auto bad = CornerWord::Index::bad, good = CornerWord::Index::good;
+            if (!corner.well_formed)
+                return log_.fail(here(), in_quotes(word) + " is not a corner such as 7, 7/2, 7//3 or 7/2/3");
+            if (corner.state[0] == bad)
+                return log_.fail(here(),
+                                 in_quotes(corner.part[0]) + " is not the number of a vertex; they count from 1");
+            if (corner.state[1] == bad) report_bad_uv_index(here(), log_);
+            if (corner.state[2] == bad) report_bad_normal_index(here(), log_);
+            statement_.append(" ").append(corner.part[0]);
+            if (corner.state[1] == good) statement_.append("/").append(corner.part[1]);
+            if (corner.state[2] == good) statement_.append(corner.state[1] == good ? "/" : "//").append(corner.part[2]);
+        }
+        // tinyobjloader passes over a face without corners.
+        if (statement_ == "f") collect_.face({});
+    }
+
+    // ------------------------------------------------------------------------------ what tinyobjloader found
+
+    void face(const tinyobj::index_t* corners, int count) {
+        corners_.clear();
+        for (int i = 0; i < count; ++i)
+            corners_.push_back({corners[i].vertex_index, corners[i].texcoord_index, corners[i].normal_index});
+        collect_.face(corners_);
+    }
+
+    void group(const char* const* names, int count) {
+        std::string all;
+        for (int i = 0; i < count; ++i) all.append(i == 0 ? "" : " ").append(names[i]);
+        collect_.name(all);
+    }
+
+    /// tinyobjloader asks for a material file. Its own materials and messages are not used.
+    bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>*, std::string*,
+                    std::string*) override {
+        if (material_files_) {
+            material_files_->read(mtllib_names_, here(), collect_.data().library, log_);
+        } else {
+            read_.mtllibs.push_back({std::string(mtllib_names_), here().line});
+        }
+        return false;
+    }
+
+    void tell_progress() {
+        if (!progress_ || lines_.position() < next_progress_) return;
+        progress_(lines_.position());
+        next_progress_ = lines_.position() + progress_step_;
+    }
+
+    LineReader lines_;
+    const std::size_t progress_step_;
+    const std::function<void(std::size_t)>& progress_;
+    MaterialFiles* const material_files_;
+    Log& log_;
+    Collector& collect_;
+    PieceRead read_;
+
+    std::string statement_;  ///< what tinyobjloader reads at present
+    Numbers numbers_;        ///< of that statement
+    std::string_view mtllib_names_;
+    std::vector<Corner> corners_;
+    std::size_t next_progress_ = 0;
+};
+
+}  // namespace
+
+PieceRead read_statements(const Piece& piece, const ObjOptions& options, MaterialFiles* material_files,
+                          Collector& collect, Log& log) {
+    return Parser(piece, options, material_files, collect, log).run();
+}
+
+}  // namespace raster::obj
