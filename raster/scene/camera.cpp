@@ -8,6 +8,7 @@
 #include <string>
 
 #include <raster/scene/transform.h>
+#include <raster/scene/used_vertices.h>
 
 namespace raster {
 namespace {
@@ -168,7 +169,8 @@ Camera auto_frame(const Model& model, double aspect, const glm::vec3& up, float 
     const bool has_size = box.min.x < box.max.x || box.min.y < box.max.y || box.min.z < box.max.z;
     if (!has_size) return auto_frame(box, aspect, up, view_angle);
     Framing framing(box, aspect, up, view_angle);
-    for (std::uint32_t i : model.indices) framing.include(limited(model.vertices[i].position));
+    for_each_used_vertex(model,
+                         [&](const SurfaceVertex<float>& vertex) { framing.include(limited(vertex.position)); });
     return with_planes_around(framing.camera(up, view_angle), box);
 }
 

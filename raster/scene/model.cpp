@@ -3,15 +3,17 @@
 
 #include <limits>
 
+#include <raster/scene/used_vertices.h>
+
 namespace raster {
 
 Box bounding_box(const Model& model) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     Box box{glm::vec3(infinity), glm::vec3(-infinity)};
-    for (const std::uint32_t i : model.indices) {
-        box.min = glm::min(box.min, model.vertices[i].position);
-        box.max = glm::max(box.max, model.vertices[i].position);
-    }
+    for_each_used_vertex(model, [&](const SurfaceVertex<float>& vertex) {
+        box.min = glm::min(box.min, vertex.position);
+        box.max = glm::max(box.max, vertex.position);
+    });
     return box;
 }
 

@@ -51,7 +51,8 @@ Result<int> run_render(RenderArguments& a) {
     if (!plan) return plan.error();
     Progress progress(a.progress);
     Timer timer;
-    Result<Loaded> loaded = load(a.load, progress, a.quiet);
+    Result<Loaded> loaded = Loaded{};
+    with_threads(a.threads, [&] { loaded = load(a.load, progress, a.quiet); });
     if (!loaded) return loaded.error();
     const double load_time = timer.lap();
     std::vector<std::string> paths = a.outputs.paths();

@@ -81,7 +81,8 @@ Result<int> run_step(StepArguments& a) {
             return status.error();
 
     Progress progress(a.progress);
-    Result<Loaded> loaded = load(a.load, progress, a.quiet);
+    Result<Loaded> loaded = Loaded{};
+    with_threads(a.threads, [&] { loaded = load(a.load, progress, a.quiet); });
     if (!loaded) return loaded.error();
     const Status safe = check_no_input({a.output, a.apng}, texture_paths(a.load.model, loaded->model));
     if (!safe) return safe.error();
