@@ -5,12 +5,17 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #if !defined(RASTER_NO_THREADS)
 #include <tbb/task_arena.h>
 #endif
 
 #include <gtest/gtest.h>
+
+#include <raster/image/diff.h>
+#include <raster/image/diff_picture.h>
 
 #include "random.h"
 
@@ -332,6 +337,70 @@ TEST(Flip, FloatsAreLinearLight) {
     };
     const ImageF eight = map_of(a, b), floats = map_of(to_float(a), to_float(b));
     for (std::size_t i = 0; i < eight.samples.size(); ++i) EXPECT_NEAR(eight.samples[i], floats.samples[i], 1e-4f);
+}
+
+TEST(FlipMean, HasTheBitsOfTheMapsMeanAndItsSteps) {
+    Random random(28);
+    for (const auto& [width, height] : {std::pair(700, 150), {3, 5}, {193, 70}, {1, 1}, {384, 9}}) {
+        const Image8 a = scribble(random, constant(width, height, {60, 60, 60}), 40), b = scribble(random, a, 25);
+        if (a == b) continue;
+        const ImageF map = map_of(a, b);
+        Image8 steps;
+        const std::optional<double> mean =
+            raster::flip_mean(a, b, cells_of(a, b), raster::default_pixels_per_degree, &steps);
+        ASSERT_TRUE(mean);
+        EXPECT_EQ(*mean, mean_of(map)) << width;
+        ASSERT_EQ(steps.width, width);
+        ASSERT_EQ(steps.height, height);
+        for (std::size_t i = 0; i < map.samples.size(); ++i) {
+            const float up = float(steps.samples[i]) - 31 * map.samples[i];
+            EXPECT_TRUE(up > -1e-4f && up < 1.0f) << map.samples[i];
+            EXPECT_EQ(steps.samples[i] == 0, map.samples[i] == 0);
+        }
+    }
+}
+
+TEST(FlipMean, GivesUpWhereTheOrderOfTheSumMatters) {
+    // Errors of 3e-7 in rows so wide that a part of their sum may need more than 53 bits.
+    const ImageF a(4000, 12, 3, 0.001f);
+    ImageF b = a;
+    for (std::size_t i = 2; i < b.samples.size(); i += 3) b.samples[i] += 0x1p-29f;
+    const ImageF map = map_of(a, b);
+    ASSERT_LT(map.samples[0], 0x1p-21f);
+    ASSERT_GT(map.samples[0], 0.0f);
+    EXPECT_FALSE(raster::flip_mean(a, b, cells_of(a, b), raster::default_pixels_per_degree));
+}
+
+TEST(FlipMean, LeavesTransparentPicturesToTheMap) {
+    Image8 a(20, 20, 2, 100), b(20, 20, 2, 120);
+    EXPECT_FALSE(raster::flip_mean(a, b, cells_of(a, b), raster::default_pixels_per_degree));
+    for (std::size_t i = 1; i < a.samples.size(); i += 2) a.samples[i] = b.samples[i] = 255;
+    EXPECT_EQ(raster::flip_mean(a, b, cells_of(a, b), raster::default_pixels_per_degree), mean_of(map_of(a, b)));
+}
+
+TEST(FlipMean, OfADiffIsTheSameHoweverMuchIsKept) {
+    Random random(29);
+    const Image8 a = scribble(random, constant(300, 90, {60, 60, 60}), 40), b = scribble(random, a, 25);
+    for (const bool ignores : {false, true}) {
+        raster::DiffOptions options;
+        if (ignores) options.ignored = {{0, 0, 150, 90}};
+        const auto all = raster::diff_images(a, b, options);
+        ASSERT_TRUE(all);
+        raster::Diff shown = *all;
+        const raster::IndexedImage picture = raster::flip_picture(std::move(shown));
+        for (const auto detail : {raster::FlipDetail::none, raster::FlipDetail::steps}) {
+            options.flip_detail = detail;
+            auto some = raster::diff_images(a, b, options);
+            ASSERT_TRUE(some);
+            EXPECT_EQ(some->figures->flip, all->figures->flip);
+            EXPECT_EQ(some->flip_map.empty(), !ignores);
+            EXPECT_EQ(some->flip_steps.empty(), ignores || detail == raster::FlipDetail::none);
+            if (detail != raster::FlipDetail::steps) continue;
+            const raster::IndexedImage same = raster::flip_picture(std::move(*some));
+            EXPECT_EQ(same.indices, picture.indices);
+            EXPECT_EQ(same.palette, picture.palette);
+        }
+    }
 }
 
 TEST(Flip, ADifferenceInAlphaAloneIsSeenWhateverTheColour) {

@@ -246,7 +246,7 @@ TEST(FlipPicture, OnlyNoErrorIsBlackAndTheLargestIsWhite) {
     raster::Diff diff;
     diff.flip_map = ImageF(4, 1, 1);
     diff.flip_map.samples = {0.0f, 1e-6f, 0.5f, 1.0f};
-    const raster::IndexedImage shown = raster::flip_picture(diff);
+    const raster::IndexedImage shown = raster::flip_picture(std::move(diff));
     const auto grey = [&](int x) { return int(shown.palette[*shown.indices.pixel(x, 0)][0]); };
     EXPECT_EQ(grey(0), 0);
     EXPECT_GT(grey(1), 0);

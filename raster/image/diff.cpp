@@ -95,8 +95,17 @@ Result<Diff> compare(const AnyImage& expected_as_read, const AnyImage& actual_as
     if (figures.differing > 0) {
         const DifferingCells cells(diff.deltas);
         figures.ssim = mean_ssim(*expected, *actual, cells, diff.compared);
-        diff.flip_map = flip_map(*expected, *actual, cells, options.pixels_per_degree);
-        figures.flip = mean_of(diff.flip_map, diff.compared);
+        std::optional<double> mean;
+        if (options.flip_detail != FlipDetail::errors && diff.compared.empty()) {
+            Image8* const steps = options.flip_detail == FlipDetail::steps ? &diff.flip_steps : nullptr;
+            mean = flip_mean(*expected, *actual, cells, options.pixels_per_degree, steps);
+        }
+        if (!mean) {
+            diff.flip_steps = {};
+            diff.flip_map = flip_map(*expected, *actual, cells, options.pixels_per_degree);
+            mean = mean_of(diff.flip_map, diff.compared);
+        }
+        figures.flip = *mean;
     }
     diff.figures = figures;
     const double peak = std::max(e.bits, a.bits) == 8 ? 255 : std::max(e.bits, a.bits) == 16 ? 65535 : 1;

@@ -37,6 +37,12 @@ struct Gates {
 /// As options of the command: "--max-delta 2 --max-pixels 10"; "exact" if there are none.
 std::string to_string(const Gates& gates);
 
+enum class FlipDetail {
+    none,    ///< at most what the mean needs
+    steps,   ///< what flip_picture shows
+    errors,  ///< Diff::flip_map
+};
+
 struct DiffOptions {
     Gates gates;
     /// Pixels that do not count; they may reach beyond the picture.
@@ -45,6 +51,8 @@ struct DiffOptions {
     /// opaque). Draw black what is to be ignored.
     Image8 mask;
     float pixels_per_degree = default_pixels_per_degree;  ///< for FLIP, 5 to 500
+    /// What is kept of FLIP beside its mean: less takes less time.
+    FlipDetail flip_detail = FlipDetail::errors;
 };
 
 enum class Verdict {
@@ -94,7 +102,8 @@ struct Diff {
 
     /// For pictures of the differences. One channel each, empty where nothing differs or all pixels count.
     ImageF deltas;    ///< the difference of each pixel after shifting, largest over its channels
-    ImageF flip_map;  ///< the FLIP error of each pixel
+    ImageF flip_map;   ///< the FLIP error of each pixel; may be empty unless FlipDetail::errors is asked for
+    Image8 flip_steps;  ///< FlipDetail::steps: the same in steps of 1/31, rounded up, if there is no flip_map
     Image8 compared;  ///< 0 where a pixel does not count, else 1
     float allowed_delta = 0;  ///< pixels above this fail
 };

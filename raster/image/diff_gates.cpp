@@ -27,27 +27,14 @@ namespace {
 /// How many pixels have which delta.
 class Deltas {
 public:
-    /// Deltas of whole numbers, 0 to `most`, are counted; those of floats are looked through again for each question.
-    Deltas(const ImageF& deltas, double most, bool whole_numbers) : deltas_(&deltas) {
-        if (!whole_numbers || deltas.empty()) return;
-        counts_.resize(std::size_t(most) + 1);
-        constexpr int bands = 16;
-        std::vector<std::vector<std::uint32_t>> counts_of(bands);
-        const auto first_row = [&](std::size_t band) {
-            return int(std::int64_t(deltas.height) * std::int64_t(band) / bands);
-        };
-        tiles::parallel_for(bands, [&](std::size_t band) {
-            std::vector<std::uint32_t>& counts = counts_of[band];
-            counts.resize(counts_.size());
-            const float* const end = deltas.pixel(0, 0) + std::ptrdiff_t(first_row(band + 1)) * deltas.width;
-            for (const float* d = deltas.pixel(0, 0) + std::ptrdiff_t(first_row(band)) * deltas.width; d < end; ++d)
-                ++counts[std::size_t(std::int32_t(*d))];
-        });
-        for (const auto& counts : counts_of)
-            for (std::size_t delta = 0; delta < counts.size(); ++delta) counts_[delta] += counts[delta];
-    }
+    /// Deltas of whole numbers, 0 to `most`, are counted when first asked for; those of floats are looked through again for
+    /// each question. `figures`, if given, tell how many are above 0, and the largest: what is most often asked.
+    Deltas(const ImageF& deltas, double most, bool whole_numbers, const Figures* figures)
+        : deltas_(&deltas), most_(most), whole_numbers_(whole_numbers), figures_(figures) {}
 
-    std::int64_t count_above(float limit) const {
+    std::int64_t count_above(float limit) {
+        if (figures_ != nullptr && limit == 0) return figures_->differing;
+        count();
         if (counts_.empty())
             return std::count_if(deltas_->samples.begin(), deltas_->samples.end(), [=](float d) { return d > limit; });
         std::int64_t count = 0;
@@ -56,7 +43,9 @@ public:
     }
 
     /// The smallest max_delta with which at most `allowed` pixels fail: the largest but `allowed`.
-    float tightest(std::int64_t allowed) const {
+    float tightest(std::int64_t allowed) {
+        if (figures_ != nullptr && allowed == 0) return float(figures_->max);
+        count();
         if (!counts_.empty()) {
             std::int64_t above = 0;
             for (std::size_t delta = counts_.size(); delta-- > 1;)
@@ -73,7 +62,30 @@ public:
     }
 
 private:
+    void count() {
+        const ImageF& deltas = *deltas_;
+        if (!whole_numbers_ || deltas.empty() || !counts_.empty()) return;
+        counts_.resize(std::size_t(most_) + 1);
+        constexpr int bands = 16;
+        std::vector<std::vector<std::uint32_t>> counts_of(bands);
+        const auto first_row = [&](std::size_t band) {
+            return int(std::int64_t(deltas.height) * std::int64_t(band) / bands);
+        };
+        tiles::parallel_for(bands, [&](std::size_t band) {
+            std::vector<std::uint32_t>& counts = counts_of[band];
+            counts.resize(counts_.size());
+            const float* const end = deltas.pixel(0, 0) + std::ptrdiff_t(first_row(band + 1)) * deltas.width;
+            for (const float* d = deltas.pixel(0, 0) + std::ptrdiff_t(first_row(band)) * deltas.width; d < end; ++d)
+                ++counts[std::size_t(std::int32_t(*d))];
+        });
+        for (const auto& counts : counts_of)
+            for (std::size_t delta = 0; delta < counts.size(); ++delta) counts_[delta] += counts[delta];
+    }
+
     const ImageF* deltas_;
+    double most_;
+    bool whole_numbers_;
+    const Figures* figures_;
     std::vector<std::int64_t> counts_;  ///< by delta; empty for floats
 };
 
@@ -141,12 +153,11 @@ void judge(const AnyImage& expected, const AnyImage& actual, const Gates& gates,
     diff.allowed_delta = float(gates.max_delta.value_or(0));
     const std::int64_t allowed_pixels = gates.max_pixels.value_or(0);
     const bool whole_numbers = !std::holds_alternative<ImageF>(expected);
-    const auto count = [&] { return Deltas(diff.deltas, peak, whole_numbers); };
-    Deltas deltas = count();
+    Deltas deltas(diff.deltas, peak, whole_numbers, &figures);
     const std::int64_t failing_unshifted = deltas.count_above(diff.allowed_delta);
     if (gates.max_shift && *gates.max_shift > 0 && figures.differing > 0) {
         allow_shift(expected, actual, *gates.max_shift, diff.deltas);
-        deltas = count();
+        deltas = Deltas(diff.deltas, peak, whole_numbers, nullptr);
     }
     figures.failing = deltas.count_above(diff.allowed_delta);
 

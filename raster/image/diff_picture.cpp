@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <raster/image/diff_steps.h>
+#include <raster/image/flip_rows.h>
 #include <raster/image/metrics_display.h>
 #include <raster/image/pages.h>
 #include <raster/math.h>
@@ -221,23 +222,20 @@ Image8 difference_picture(const AnyImage& expected, const Diff& diff) {
     return out;
 }
 
-IndexedImage flip_picture(const Diff& diff) {
-    IndexedImage out = indexed(diff.flip_map.width, diff.flip_map.height, {});
-    constexpr int steps = 32;
-    for (int step = 0; step < steps; ++step) {
-        const std::uint8_t grey = to_byte(float(step) / float(steps - 1));
+IndexedImage flip_picture(Diff&& diff) {
+    IndexedImage out;
+    for (int step = 0; step <= flip::most_step; ++step) {
+        const std::uint8_t grey = to_byte(float(step) / float(flip::most_step));
         out.palette.push_back({grey, grey, grey});
     }
-    tiles::parallel_for(std::size_t(diff.flip_map.height), [&](std::size_t y) {
-        const float* const error = diff.flip_map.pixel(0, int(y));
-        std::uint8_t* const pixel = out.indices.pixel(0, int(y));
-        const int width = out.indices.width;  // a store to a byte might change one that is not ours
-        for (int x = 0; x < width; ++x) {
-            // In 1/65536 of a step, rounded up: only 0 is black. Whole numbers, for the sake of compilers.
-            const std::int32_t more_than_none = std::int32_t(std::uint32_t(-as_int(error[x])) >> 31);
-            const std::int32_t fraction = std::int32_t(error[x] * float((steps - 1) << 16)) | more_than_none;
-            pixel[x] = std::uint8_t(std::min((fraction + 0xffff) >> 16, steps - 1));
-        }
+    if (!diff.flip_steps.empty()) {
+        out.indices = std::move(diff.flip_steps);
+        return out;
+    }
+    const ImageF& map = diff.flip_map;
+    out = indexed(map.width, map.height, std::move(out.palette));
+    tiles::parallel_for(std::size_t(map.height), [&](std::size_t y) {
+        flip::steps_of_errors(map.pixel(0, int(y)), map.width, out.indices.pixel(0, int(y)));
     });
     return out;
 }

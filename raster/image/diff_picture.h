@@ -15,7 +15,8 @@ IndexedImage indexed_difference(const AnyImage& expected, const Diff& diff);
 Image8 difference_picture(const AnyImage& expected, const Diff& diff);
 
 /// The FLIP error of each pixel from black, 0, to white, 1, rounded up to one of 32 greys.
-IndexedImage flip_picture(const Diff& diff);
+/// Takes `flip_steps` away; empty if there is neither that nor a flip_map.
+IndexedImage flip_picture(Diff&& diff);
 
 /// Expected, actual and difference side by side, for a glance: at most 1024 pixels each, small ones magnified. Where
 /// shrunk, a difference of one pixel stays visible. `difference` may be empty.

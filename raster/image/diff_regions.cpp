@@ -21,24 +21,42 @@ struct Cells {
           rows((deltas.height + cell - 1) / cell),
           region(std::size_t(columns) * std::size_t(rows)) {
         tiles::parallel_for(std::size_t(rows), [&](std::size_t row) {
-            for (int y = int(row) * cell; y < std::min(int(row + 1) * cell, deltas.height); ++y)
-                for (int column = 0; column < columns; ++column) add_piece(deltas, limit, column, y);
+            // By columns of pixels first, which needs no decisions.
+            const std::size_t width = std::size_t(deltas.width);
+            std::vector<float> most(width);
+            std::vector<int> counts(width);
+            for (int y = int(row) * cell; y < std::min(int(row + 1) * cell, deltas.height); ++y) {
+                const float* const delta = deltas.pixel(0, y);
+                for (std::size_t x = 0; x < width; ++x) most[x] = delta[x] > most[x] ? delta[x] : most[x];
+                for (std::size_t x = 0; x < width; ++x) counts[x] += delta[x] > limit;
+            }
+            for (int column = 0; column < columns; ++column)
+                describe(deltas, limit, most.data(), counts.data(), column, int(row));
         });
     }
-    /// What row y has in a column of cells.
-    void add_piece(const ImageF& deltas, float limit, int column, int y) {
+    /// What a cell has, by the largest delta and the count of pixels that fail in each column of pixels.
+    void describe(const ImageF& deltas, float limit, const float* most, const int* counts, int column, int row) {
         const int x0 = column * cell, x1 = std::min(x0 + cell, deltas.width);
-        const float* delta = deltas.pixel(0, y);
-        int count = 0;
-        for (int x = x0; x < x1; ++x) count += delta[x] > limit;
-        if (count == 0) return;
-        int first = x0, last = x1 - 1;
-        while (!(delta[first] > limit)) ++first;
-        while (!(delta[last] > limit)) --last;
-        float most = 0;
-        for (int x = x0; x < x1; ++x) most = delta[x] > most ? delta[x] : most;
-        const int largest = int(std::find(delta + x0, delta + x1, most) - delta);
-        merge(at(column, y / cell), {{first, y, last - first + 1, 1}, count, delta[largest], largest, y});
+        const int y0 = row * cell, y1 = std::min(y0 + cell, deltas.height);
+        const int pixels = std::accumulate(counts + x0, counts + x1, 0);
+        if (pixels == 0) return;
+        int left = x0, right = x1 - 1, top = y0, bottom = y1 - 1;
+        while (counts[left] == 0) ++left;
+        while (counts[right] == 0) --right;
+        const auto fails_in = [&](int y) {
+            return std::any_of(deltas.pixel(left, y), deltas.pixel(right, y) + 1, [&](float d) { return d > limit; });
+        };
+        while (!fails_in(top)) ++top;
+        while (!fails_in(bottom)) --bottom;
+        const float largest = *std::max_element(most + left, most + right + 1);
+        for (int y = top; y <= bottom; ++y) {
+            const float* const end = deltas.pixel(right, y) + 1;
+            const float* const found = std::find(deltas.pixel(left, y), end, largest);
+            if (found == end) continue;
+            const int x = int(found - deltas.pixel(0, y));
+            at(column, row) = {{left, top, right - left + 1, bottom - top + 1}, pixels, largest, x, y};
+            return;
+        }
     }
     DiffRegion& at(int column, int row) {
         return region[std::size_t(row) * std::size_t(columns) + std::size_t(column)];

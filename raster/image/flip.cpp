@@ -5,7 +5,10 @@
 #include <raster/image/flip.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include <raster/image/flip_color.h>
@@ -158,9 +161,12 @@ struct FlipTile {
     int x0, y0, y1;
 };
 
-void fill_tile(const Display& expected_display, const Display& actual_display, const Filters& filters,
-               const FlipTile& tile, ImageF& map) {
-    const int width = std::min(flip_tile_width, map.width - tile.x0), y1 = std::min(tile.y1, map.height);
+/// Hands each row of errors to take(x0, y, count, errors).
+template <class Take>
+void find_errors(const Display& expected_display, const Display& actual_display, const Filters& filters,
+                 const FlipTile& tile, const Take& take) {
+    const int width = std::min(flip_tile_width, expected_display.width() - tile.x0);
+    const int y1 = std::min(tile.y1, expected_display.height());
     const int radius = filters.radius();
     Filtered expected(expected_display, filters, tile.x0, width), actual(actual_display, filters, tile.x0, width);
     std::vector<float> errors(std::size_t(round_up(width, row_block))), scratch(2 * errors.size());
@@ -171,21 +177,17 @@ void fill_tile(const Display& expected_display, const Display& actual_display, c
         actual.go_to_rows(y);
         for (int o = 0; o < std::min(rows_at_once, y1 - y); ++o) {
             flip::errors_between(expected.row(o), actual.row(o), width, errors.data(), scratch.data());
-            float* out = map.pixel(tile.x0, y + o);
-            // Over two backgrounds, the larger error stays.
-            for (int i = 0; i < width; ++i) out[i] = max(errors[std::size_t(i)], out[i]);
+            take(tile.x0, y + o, width, errors.data());
         }
     }
 }
 
-void add_errors(const AnyImage& expected_image, const AnyImage& actual_image, const DifferingCells& cells,
-                const Filters& filters, float background, ImageF& map) {
-    const Display expected(expected_image, background), actual(actual_image, background);
-    const int radius = filters.radius();
-    // Tiles one below the other become one, up to a limit: each has to filter `radius` rows more at both its ends.
+/// Where errors are to be found. Tiles one below the other become one, up to a limit: each has to filter `radius` rows more
+/// at both its ends.
+std::vector<FlipTile> tiles_of(int width, int height, const DifferingCells& cells, int radius) {
     std::vector<FlipTile> all_tiles;
-    for (int x = 0; x < map.width; x += flip_tile_width)
-        for (int y = 0; y < map.height; y += flip_tile_height) {
+    for (int x = 0; x < width; x += flip_tile_width)
+        for (int y = 0; y < height; y += flip_tile_height) {
             if (!cells.any_in(x - radius, y - radius, x + flip_tile_width + radius, y + flip_tile_height + radius))
                 continue;
             const bool grows = !all_tiles.empty() && all_tiles.back().x0 == x && all_tiles.back().y1 == y &&
@@ -195,8 +197,20 @@ void add_errors(const AnyImage& expected_image, const AnyImage& actual_image, co
             else
                 all_tiles.push_back({x, y, y + flip_tile_height});
         }
-    tiles::parallel_for(all_tiles.size(),
-                        [&](std::size_t i) { fill_tile(expected, actual, filters, all_tiles[i], map); });
+    return all_tiles;
+}
+
+void fill_map(const AnyImage& expected_image, const AnyImage& actual_image, const DifferingCells& cells,
+              const Filters& filters, float background, ImageF& map) {
+    const Display expected(expected_image, background), actual(actual_image, background);
+    const std::vector<FlipTile> all_tiles = tiles_of(map.width, map.height, cells, filters.radius());
+    tiles::parallel_for(all_tiles.size(), [&](std::size_t i) {
+        find_errors(expected, actual, filters, all_tiles[i], [&](int x0, int y, int count, const float* errors) {
+            float* out = map.pixel(x0, y);
+            // Over two backgrounds, the larger error stays.
+            for (int k = 0; k < count; ++k) out[k] = max(errors[k], out[k]);
+        });
+    });
 }
 
 }  // namespace
@@ -207,10 +221,54 @@ ImageF flip_map(const AnyImage& expected, const AnyImage& actual, const Differin
     ImageF map;
     std::visit([&](const auto& held) { map.width = held.width, map.height = held.height, map.channels = 1; }, expected);
     resize_whole(map.samples, std::size_t(map.width) * std::size_t(map.height));
-    add_errors(expected, actual, cells, filters, 0.0f, map);
+    fill_map(expected, actual, cells, filters, 0.0f, map);
     if (has_transparency(expected) || has_transparency(actual))
-        add_errors(expected, actual, cells, filters, 1.0f, map);
+        fill_map(expected, actual, cells, filters, 1.0f, map);
     return map;
+}
+
+std::optional<double> flip_mean(const AnyImage& expected_image, const AnyImage& actual_image,
+                                const DifferingCells& cells, float pixels_per_degree, Image8* steps) {
+    if (has_transparency(expected_image) || has_transparency(actual_image)) return std::nullopt;
+    const Filters filters(pixels_per_degree);
+    const Display expected(expected_image, 0.0f), actual(actual_image, 0.0f);
+    const int width = expected.width(), height = expected.height();
+    if (steps != nullptr) *steps = Image8(width, height, 1);
+
+    // mean_of adds up each row in eight parts from left to right. If all of a row's errors are whole multiples of one
+    // power of two, and no part can have more than the 53 bits of a double, its parts are exact, in any order. An error
+    // has 24 bits; so it may have 30 - b leading zeros where a part has up to 2^b of them.
+    constexpr std::size_t parts = sum_parts;
+    static_assert(flip_tile_width % parts == 0);
+    const int most_in_part = (width + int(parts) - 1) / int(parts);
+    float least = 0x1p-30f;
+    for (int n = 1; n < most_in_part; n *= 2) least *= 2;
+
+    using Sums = std::array<double, parts>;
+    const std::vector<FlipTile> all_tiles = tiles_of(width, height, cells, filters.radius());
+    std::vector<std::vector<Sums>> sums_of(all_tiles.size());
+    std::atomic<bool> exact = true;
+    tiles::parallel_for(all_tiles.size(), [&](std::size_t i) {
+        const FlipTile& tile = all_tiles[i];
+        std::vector<Sums>& sums = sums_of[i];
+        sums.resize(std::size_t(std::min(tile.y1, height) - tile.y0));
+        std::array<std::uint8_t, flip_tile_width> step;
+        find_errors(expected, actual, filters, tile, [&](int x0, int y, int count, float* errors) {
+            if (!add_in_parts(errors, count, least, sums[std::size_t(y - tile.y0)].data())) exact = false;
+            if (steps == nullptr) return;
+            flip::steps_of_errors(errors, count, step.data());
+            std::copy_n(step.begin(), count, steps->pixel(x0, y));
+        });
+    });
+    if (!exact) return std::nullopt;
+    std::vector<Sums> rows(std::size_t(height), Sums{});
+    for (std::size_t i = 0; i < all_tiles.size(); ++i)
+        for (std::size_t row = 0; row < sums_of[i].size(); ++row)
+            for (std::size_t part = 0; part < parts; ++part)
+                rows[std::size_t(all_tiles[i].y0) + row][part] += sums_of[i][row][part];
+    double sum = 0;
+    for (const Sums& row : rows) sum += std::accumulate(row.begin(), row.end(), 0.0);
+    return sum / double(std::int64_t(width) * height);
 }
 
 }  // namespace raster

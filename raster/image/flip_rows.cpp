@@ -224,6 +224,20 @@ RASTER_INLINE void find_errors(const SeenRow& e, const SeenRow& a, int count, fl
     }
 }
 
+template <int>
+RASTER_INLINE void find_steps(const float* __restrict errors, int count, std::uint8_t* __restrict steps) {
+    for (int i = 0; i < count; ++i) {
+        // In 1/65536 of a step, rounded up. Whole numbers, for the sake of compilers.
+        std::int32_t bits = 0;
+        std::memcpy(&bits, errors + i, sizeof bits);
+        const std::int32_t more_than_none = std::int32_t(std::uint32_t(-bits) >> 31);
+        const std::int32_t fraction = std::int32_t(errors[i] * float(most_step << 16)) | more_than_none;
+        const std::int32_t step = (fraction + 0xffff) >> 16;
+        steps[i] = std::uint8_t(step < most_step ? step : most_step);
+    }
+}
+
+RASTER_DISPATCHED(steps_here, find_steps, (const float* errors, int count, std::uint8_t* steps), (errors, count, steps))
 RASTER_DISPATCHED(opponents_here, find_opponents, (const Planes& rgb, int count, const Planes& out), (rgb, count, out))
 RASTER_DISPATCHED(see_here, see, (const Planes& colors, int count), (colors, count))
 RASTER_DISPATCHED(errors_here, find_errors,
@@ -283,5 +297,7 @@ void opponent_colors_of_bytes(const std::uint8_t* rgb, int count, const Planes& 
 void errors_between(const SeenRow& expected, const SeenRow& actual, int count, float* errors, float* scratch) {
     errors_here(expected, actual, count, errors, scratch);
 }
+
+void steps_of_errors(const float* errors, int count, std::uint8_t* steps) { steps_here(errors, count, steps); }
 
 }  // namespace raster::flip

@@ -29,4 +29,8 @@ struct SeenRow {
 /// The FLIP errors of two rows (sections 4.2 and 4.3 of the paper). `scratch` has twice the room of `errors`.
 void errors_between(const SeenRow& expected, const SeenRow& actual, int count, float* errors, float* scratch);
 
+/// Errors rounded up to steps, 0 to most_step: only 0 becomes 0. Has room for whole blocks.
+inline constexpr int most_step = 31;
+void steps_of_errors(const float* errors, int count, std::uint8_t* steps);
+
 }  // namespace raster::flip

@@ -203,9 +203,11 @@ DifferingCells::DifferingCells(const ImageF& deltas)
         for (int y = int(row) * cell; y < std::min(int(row + 1) * cell, deltas.height); ++y) {
             const float* delta = deltas.pixel(0, y);
             for (int column = 0; column < columns_; ++column) {
+                std::uint8_t& differs = differs_[row * std::size_t(columns_) + std::size_t(column)];
+                if (differs != 0) continue;
                 bool any = false;
                 for (int x = column * cell; x < std::min((column + 1) * cell, deltas.width); ++x) any |= delta[x] > 0;
-                differs_[row * std::size_t(columns_) + std::size_t(column)] |= std::uint8_t(any);
+                differs = std::uint8_t(any);
             }
         }
     });

@@ -1,6 +1,7 @@
 // metrics_rows.cpp: one loop, compiled for several instruction sets; the processor says which is used.
 #include <raster/image/metrics_rows.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
@@ -106,6 +107,35 @@ RASTER_INLINE void luma_of(const std::uint8_t* __restrict rgb, int count, float*
                   0.114f * (float(rgb[3 * i + 2]) * scale);
 }
 
+#if defined(__GNUC__)
+using Doubles = double __attribute__((vector_size(64)));
+#endif
+
+template <int>
+RASTER_INLINE void sum_parts_of(const float* values, int count, float least, double* sums, bool& all_are_large) {
+#if defined(__GNUC__)
+    Doubles sum;
+    std::memcpy(&sum, sums, sizeof sum);
+    IntegersOf<Pack<8>> small{};
+    for (int i = 0; i < count; i += sum_parts) {
+        Pack<8> v;
+        std::memcpy(&v, values + i, sizeof v);
+        sum += __builtin_convertvector(v, Doubles);
+        small |= (v > 0.0f) & (v < least);
+    }
+    std::memcpy(sums, &sum, sizeof sum);
+    std::int32_t any = 0;
+    for (int lane = 0; lane < 8; ++lane) any |= small[lane];
+    all_are_large = any == 0;
+#else
+    all_are_large = true;
+    for (int i = 0; i < count; ++i) {
+        sums[i % sum_parts] += double(values[i]);
+        all_are_large = all_are_large && !(values[i] > 0.0f && values[i] < least);
+    }
+#endif
+}
+
 constexpr FilterSymmetry e = FilterSymmetry::even, o = FilterSymmetry::odd;
 #define RASTER_ROW_SUM(name, ...)                                                                                \
     template <int lanes>                                                                                         \
@@ -123,6 +153,9 @@ RASTER_ROW_SUM(sum_eoe, e, o, e)
 RASTER_DISPATCHED(columns_here, sum_columns,
                   (const BothSides& filter, const float* const* rows, int count, float* const* out, bool add),
                   (filter, rows, count, out, add))
+RASTER_DISPATCHED(sum_parts_here, sum_parts_of,
+                  (const float* values, int count, float least, double* sums, bool& all_are_large),
+                  (values, count, least, sums, all_are_large))
 RASTER_DISPATCHED(luma_here, luma_of, (const std::uint8_t* rgb, int count, float* luma), (rgb, count, luma))
 
 }  // namespace
@@ -134,6 +167,14 @@ void filter_rows(FilterSymmetry symmetry, const std::vector<float>& weights, con
 }
 
 void luma_of_bytes(const std::uint8_t* rgb, int count, float* luma) { luma_here(rgb, count, luma); }
+
+bool add_in_parts(float* values, int count, float least, double* sums) {
+    const int end = (count + sum_parts - 1) / sum_parts * sum_parts;
+    std::fill(values + count, values + end, 0.0f);
+    bool all_are_large = true;
+    sum_parts_here(values, end, least, sums, all_are_large);
+    return all_are_large;
+}
 
 void filter_columns(const std::vector<float>& weights, const float* const* rows, int count, float* const* out,
                     bool add) {

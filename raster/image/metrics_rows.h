@@ -39,6 +39,11 @@ void filter_rows_even_odd_even(const std::vector<float>& even_1, const std::vect
                                const std::vector<float>& even_2, const float* const* rows, int count, float* out_1,
                                float* out_odd, float* out_2);
 
+/// Adds values[i] to sums[i % sum_parts]: sums side by side need not wait for each other. False if a value is above 0 and
+/// below `least`. `values` has room for a multiple of sum_parts, and what it has there is lost.
+inline constexpr int sum_parts = 8;
+bool add_in_parts(float* values, int count, float least, double* sums);
+
 /// Luma (ITU-R BT.601), 0 to 1, of pixels of three bytes.
 void luma_of_bytes(const std::uint8_t* rgb, int count, float* luma);
 

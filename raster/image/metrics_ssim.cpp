@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 
+#include <raster/image/dispatch.h>
 #include <raster/image/metrics_display.h>
 #include <raster/image/metrics_rows.h>
 #include <raster/math.h>
@@ -13,8 +14,6 @@
 
 namespace raster {
 namespace {
-
-using F = FloatN;
 
 constexpr int radius = 5, window = 2 * radius + 1;
 constexpr int ssim_tile_width = 256, ssim_tile_height = 64, highest_ssim_tile = 512;
@@ -46,17 +45,52 @@ static_assert(ssim_tile_width % row_block == 0);
 // Around the middle, so that squares stay small and lose fewer digits; SSIM's variances do not mind.
 constexpr float middle = 0.5f;
 
+/// Lumas become the planes of a row.
+template <int>
+RASTER_INLINE void find_planes(float* __restrict x, float* __restrict change, float* __restrict squares,
+                               float* __restrict squared_change, int count) {
+    for (int i = 0; i < count; ++i) {
+        const float a = x[i] - middle, b = change[i] - middle, d = b - a;
+        x[i] = a, change[i] = d;
+        squares[i] = a * a + b * b;
+        squared_change[i] = d * d;
+    }
+}
+
+/// 1 - SSIM of the windows around `count` pixels of a row, from their weighted planes: 0 exactly where windows are equal.
+template <int>
+RASTER_INLINE void find_deficits(const float* __restrict x, const float* __restrict change,
+                                 const float* __restrict squares, const float* __restrict squared_change, int count,
+                                 float* __restrict deficits) {
+    constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
+    for (int i = 0; i < count; ++i) {
+        const float mean_x = x[i], mean_change = change[i], mean_y = mean_x + mean_change;
+        const float true_x = mean_x + middle, true_y = mean_y + middle;
+        // 1 - (2 x y + c1) / (x^2 + y^2 + c1), and the same of the deviations, without a difference of near numbers.
+        const float variances = squares[i] - (mean_x * mean_x + mean_y * mean_y);
+        const float variance_of_change = squared_change[i] - mean_change * mean_change;
+        const float luminance = mean_change * mean_change / (true_x * true_x + true_y * true_y + c1);
+        const float structure = (variance_of_change > 0.0f ? variance_of_change : 0.0f) /
+                                ((variances > 0.0f ? variances : 0.0f) + c2);
+        deficits[i] = luminance + structure - luminance * structure;
+    }
+}
+
+RASTER_DISPATCHED(planes_here, find_planes,
+                  (float* x, float* change, float* squares, float* squared_change, int count),
+                  (x, change, squares, squared_change, count))
+RASTER_DISPATCHED(deficits_here, find_deficits,
+                  (const float* x, const float* change, const float* squares, const float* squared_change, int count,
+                   float* deficits),
+                  (x, change, squares, squared_change, count, deficits))
+
 void add_row(const Display& expected, const Display& actual, int x0, int row, int width,
              const std::vector<float>& weights, Scratch& scratch) {
     const int count = width + 2 * radius;
     auto& [x_row, change_row, squares_row, squared_change_row] = scratch.source;
     expected.luma_row(x0 - radius, row, count, x_row);
     actual.luma_row(x0 - radius, row, count, change_row);
-    for (int i = 0; i < count; ++i) {
-        const float a = x_row[i] -= middle, b = change_row[i] - middle, d = change_row[i] = b - a;
-        squares_row[i] = a * a + b * b;
-        squared_change_row[i] = d * d;
-    }
+    planes_here(x_row, change_row, squares_row, squared_change_row, count);
     for (int plane = 0; plane < planes; ++plane) {
         std::array<const float*, window> rows;
         for (int k = 0; k < window; ++k) rows[std::size_t(k)] = scratch.source[plane] + k;
@@ -75,20 +109,6 @@ void go_to_rows(int row, int width, const std::vector<float>& weights, Scratch& 
     }
 }
 
-/// 1 - SSIM of the windows around the pixels i, i + 1, ... of the row o: 0 exactly where the windows are equal.
-F deficit(const Scratch& scratch, int o, int i) {
-    constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
-    const auto at = [&](Plane plane) { return load<F>(scratch.down[plane][o] + i); };
-    const F mean_x = at(x), mean_change = at(change), mean_y = mean_x + mean_change;
-    const F true_x = mean_x + middle, true_y = mean_y + middle;
-    // 1 - (2 x y + c1) / (x^2 + y^2 + c1), and the same of the deviations, without a difference of near numbers.
-    const F variances = at(squares) - (mean_x * mean_x + mean_y * mean_y);
-    const F variance_of_change = max(at(squared_change) - mean_change * mean_change, 0.0f);
-    const F luminance = mean_change * mean_change / (true_x * true_x + true_y * true_y + c1);
-    const F structure = variance_of_change / (max(variances, 0.0f) + c2);
-    return luminance + structure - luminance * structure;
-}
-
 struct Tile {
     int x0, y0, x1, y1;
 };
@@ -98,7 +118,7 @@ double sum_of_deficits(const Display& expected, const Display& actual, const Til
     // Zeroed: lanes beyond the tile are computed and dropped.
     const auto scratch = std::make_unique<Scratch>();
     const int width = tile.x1 - tile.x0;
-    std::array<double, 8> sums{};  // side by side, so that they need not wait for each other
+    std::array<double, sum_parts> sums{};
     int added = tile.y0 - radius;
     for (int row = tile.y0; row < tile.y1; row += rows_at_once) {
         for (; added < row + rows_at_once + radius; ++added)
@@ -106,11 +126,13 @@ double sum_of_deficits(const Display& expected, const Display& actual, const Til
         go_to_rows(row, width, weights, *scratch);
         for (int o = 0; o < std::min(rows_at_once, tile.y1 - row); ++o) {
             std::array<float, ssim_tile_width> deficits;
-            for (int i = 0; i < width; i += native_lanes) store(deficits.data() + i, deficit(*scratch, o, i));
+            const auto& down = scratch->down;
+            deficits_here(down[x][o], down[change][o], down[squares][o], down[squared_change][o], width,
+                          deficits.data());
             if (!compared.empty())
                 for (int i = 0; i < width; ++i)
                     if (*compared.pixel(tile.x0 + i, row + o) == 0) deficits[std::size_t(i)] = 0;
-            for (int i = 0; i < width; ++i) sums[i % sums.size()] += double(deficits[std::size_t(i)]);
+            add_in_parts(deficits.data(), width, 0.0f, sums.data());
         }
     }
     return std::accumulate(sums.begin(), sums.end(), 0.0);

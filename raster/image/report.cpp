@@ -171,8 +171,8 @@ Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
             return written && embed ? keep(std::move(png), entry.difference_picture) : written;
         });
     }
-    if (!pair.diff.flip_map.empty() && embed)
-        jobs.push_back([&] { return keep(encode_png(flip_picture(pair.diff)), entry.flip_picture); });
+    if (!(pair.diff.flip_map.empty() && pair.diff.flip_steps.empty()) && embed)
+        jobs.push_back([&] { return keep(encode_png(flip_picture(std::move(pair.diff))), entry.flip_picture); });
     if (pair.expected.image && pair.actual.image) {
         entry.triptych_file = stem + ".triptych.png";
         jobs.push_back([&] {

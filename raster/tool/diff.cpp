@@ -106,6 +106,8 @@ Result<int> compare_all(DiffArguments& a) {
         return Error{ErrorKind::usage, "--out " + a.out + ": the differences of two folders want a folder"};
     if (difference_only)
         if (const Status writable = check_writable(a.out); !writable) return writable.error();
+    // The report shows FLIP; the difference alone does not.
+    a.options.flip_detail = difference_only ? FlipDetail::none : FlipDetail::steps;
     DiffReport report = difference_only ? DiffReport::of_difference_only(a.out) : DiffReport(a.out);
     for (const FilePair& pair : *pairs)
         if (const Status done = compare(pair, a, report); !done) return done.error();
