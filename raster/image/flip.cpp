@@ -26,20 +26,19 @@ using flip::Filters;
 using Weights = std::vector<float>;
 using enum FilterSymmetry;
 
-constexpr int flip_tile_width = 192, flip_tile_height = 64, highest_flip_tile = 512;
+constexpr int flip_tile_width = 384, flip_tile_height = 64, highest_flip_tile = 512;
 
 /// A plane of floats with as many rows as a filter needs, and row y where row y - ring_size was.
 class Ring {
 public:
-    Ring(int ring_size, int stride) : mask_(ring_size - 1), stride_(stride) {
-        values_.resize(std::size_t(ring_size) * std::size_t(stride));
-    }
+    Ring(int ring_size, int stride)
+        : mask_(ring_size - 1), stride_(stride), values_(std::size_t(ring_size) * std::size_t(stride)) {}
     float* row(int y) { return values_.data() + (y & mask_) * stride_; }
 
 private:
     int mask_;
     std::ptrdiff_t stride_;
-    std::vector<float> values_;
+    AlignedFloats values_;
 };
 
 int round_up(int n, int multiple) { return (n + multiple - 1) / multiple * multiple; }
@@ -63,10 +62,12 @@ public:
           source_stride_(round_up(round_up(width, row_block) + 2 * radius_, row_block)),
           source_(6 * std::size_t(source_stride_)),
           bytes_(3 * std::size_t(source_stride_)),
-          across_(planes, Ring(power_of_two_from(2 * radius_ + rows_at_once), round_up(width, row_block))),
           result_stride_(round_up(width, row_block)),
           results_(std::size_t(results * rows_at_once * result_stride_)),
-          rows_(2 * std::size_t(radius_) + rows_at_once) {}
+          rows_(2 * std::size_t(radius_) + rows_at_once) {
+        for (int plane = 0; plane < planes; ++plane)
+            across_.emplace_back(power_of_two_from(2 * radius_ + rows_at_once), round_up(width, row_block));
+    }
 
     /// Takes in row y. Row y can be asked for once the rows y - radius to y + radius were added, in order.
     void add_row(int y) {
@@ -149,11 +150,11 @@ private:
     const Filters& filters_;
     int x0_, width_, radius_;
     std::ptrdiff_t source_stride_;
-    std::vector<float> source_;  ///< planes of one row, with `radius` more pixels on both sides
+    AlignedFloats source_;  ///< planes of one row, with `radius` more pixels on both sides
     std::vector<std::uint8_t> bytes_;
     std::vector<Ring> across_;   ///< for each Plane, rows filtered along x
     std::ptrdiff_t result_stride_;
-    std::vector<float> results_;  ///< for each Result, rows_at_once rows of the picture
+    AlignedFloats results_;  ///< for each Result, rows_at_once rows of the picture
     std::vector<const float*> rows_;
 };
 
@@ -169,7 +170,8 @@ void find_errors(const Display& expected_display, const Display& actual_display,
     const int y1 = std::min(tile.y1, expected_display.height());
     const int radius = filters.radius();
     Filtered expected(expected_display, filters, tile.x0, width), actual(actual_display, filters, tile.x0, width);
-    std::vector<float> errors(std::size_t(round_up(width, row_block))), scratch(2 * errors.size());
+    const std::size_t room = std::size_t(round_up(width, row_block));
+    AlignedFloats errors(room), scratch(2 * room);
     int added = tile.y0 - radius;
     for (int y = tile.y0; y < y1; y += rows_at_once) {
         for (; added < y + rows_at_once + radius; ++added) expected.add_row(added), actual.add_row(added);

@@ -1,13 +1,33 @@
 // metrics_rows.h: weighted sums of rows of floats, the one loop in which image metrics spend their time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace raster {
 
 /// Rows are summed in pieces of so many floats; buffers are padded to a multiple.
 inline constexpr int row_block = 32;
+
+/// Zeros at an address that is a multiple of the widest register: a load or store that spans two cache lines takes twice
+/// the time.
+class AlignedFloats {
+public:
+    static constexpr std::size_t alignment = 64;
+    explicit AlignedFloats(std::size_t count) : values_(count + alignment / sizeof(float)) {
+        void* first = values_.data();
+        std::size_t room = values_.size() * sizeof(float);
+        first_ = static_cast<float*>(std::align(alignment, count * sizeof(float), first, room));
+    }
+    AlignedFloats(AlignedFloats&&) = default;
+    float* data() { return first_; }
+
+private:
+    std::vector<float> values_;
+    float* first_;  ///< stays where it is when the vector moves
+};
 
 /// A filter along x or y by one half of its weights: weights[0] is for the middle, weights[k] for k steps away.
 enum class FilterSymmetry {

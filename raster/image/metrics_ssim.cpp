@@ -35,8 +35,8 @@ std::vector<float> window_weights() {
 /// squares, and of the change's squares. Of equal windows, those of the change are 0 exactly.
 enum Plane { x, change, squares, squared_change, planes };
 
-struct Scratch {
-    float source[planes][ssim_tile_width + 2 * radius];  ///< one row
+struct alignas(AlignedFloats::alignment) Scratch {
+    float source[planes][ssim_tile_width + row_block];  ///< one row
     float across[planes][ring][ssim_tile_width];         ///< rows weighted along x
     float down[planes][rows_at_once][ssim_tile_width];   ///< rows weighted along both
 };
@@ -125,7 +125,7 @@ double sum_of_deficits(const Display& expected, const Display& actual, const Til
             add_row(expected, actual, tile.x0, added, width, weights, *scratch);
         go_to_rows(row, width, weights, *scratch);
         for (int o = 0; o < std::min(rows_at_once, tile.y1 - row); ++o) {
-            std::array<float, ssim_tile_width> deficits;
+            alignas(AlignedFloats::alignment) std::array<float, ssim_tile_width> deficits;
             const auto& down = scratch->down;
             deficits_here(down[x][o], down[change][o], down[squares][o], down[squared_change][o], width,
                           deficits.data());
