@@ -157,6 +157,35 @@ TEST_F(Report, ThePageAsksForNothingAndHoldsThePicturesAsTheyAre) {
     EXPECT_EQ(bytes, content("b/x.png"));
 }
 
+TEST_F(Report, ThePageHasAllComparisonsInOrderAlsoThoseThatPass) {
+    write("a/x.png", picture());
+    write("b/x.png", picture(95));
+    DiffReport report(in("out"));
+    for (const auto& [actual, name] : {std::pair("a/x.png", "first"), {"b/x.png", "second"}, {"a/x.png", "third"},
+                                       {"b/x.png", "fourth"}}) {
+        Comparison pair = compare("a/x.png", actual);
+        pair.name = name;
+        ASSERT_TRUE(report.add(std::move(pair), {}));
+        EXPECT_FALSE(fs::exists(in("out/report.html")));
+    }
+    ASSERT_TRUE(report.finish());
+    const std::string page = content("out/report.html");
+    const std::string mark = "id=\"data\">";
+    const std::size_t start = page.find(mark) + mark.size();
+    const auto data = raster::parse_json(page.substr(start, page.find("</script>", start) - start));
+    ASSERT_TRUE(data);
+    const auto& pairs = data->members.at("pairs").items;
+    ASSERT_EQ(pairs.size(), 4u);
+    const char* const names[] = {"first", "second", "third", "fourth"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(pairs[i].members.at("facts").member_text("name"), names[i]);
+        for (const char* shown : {"expected", "actual", "difference", "flip"})
+            EXPECT_EQ(pairs[i].member_text(shown).starts_with("data:image/png;base64,"), i % 2 == 1) << shown << i;
+    }
+    ASSERT_TRUE(report.finish());
+    EXPECT_EQ(content("out/report.html"), page);
+}
+
 TEST_F(Report, ANameCannotBecomeMarkup) {
     const std::string name = "</script><script>alert(1)<.png";
     const std::string escaped = raster::json_string(name);

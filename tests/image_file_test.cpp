@@ -65,6 +65,26 @@ TEST_F(File, PiecesBecomeOneFile) {
     EXPECT_EQ(file_count(), 1u);
 }
 
+TEST_F(File, PiecesThatAreNotFinishedLeaveTheOldFileAndNothingElse) {
+    ASSERT_TRUE(raster::write_file(in_folder("a"), bytes_of("old")));
+    {
+        auto file = raster::FileInPieces::open(in_folder("a"));
+        ASSERT_TRUE(file);
+        EXPECT_TRUE(file->append(bytes_of("new")));
+        EXPECT_EQ(content(in_folder("a")), "old");
+        EXPECT_EQ(file_count(), 2u);
+    }
+    EXPECT_EQ(content(in_folder("a")), "old");
+    EXPECT_EQ(file_count(), 1u);
+    auto file = raster::FileInPieces::open(in_folder("a"));
+    ASSERT_TRUE(file);
+    EXPECT_TRUE(file->append(bytes_of("new")));
+    EXPECT_TRUE(file->append(bytes_of("er")));
+    EXPECT_TRUE(file->finish());
+    EXPECT_EQ(content(in_folder("a")), "newer");
+    EXPECT_EQ(file_count(), 1u);
+}
+
 TEST_F(File, APieceThatCannotBeWrittenIsAnErrorAndEndsTheWriting) {
     int written = 0;
     const auto status = raster::write_file_in_pieces("/dev/full", [&](const raster::Sink& sink) {

@@ -50,7 +50,7 @@ private:
 
 /// Removes the temporary file unless it was renamed away.
 struct Temporary {
-    std::string path;
+    std::string path = {};
     bool kept = false;
     ~Temporary() {
         if (!kept && !path.empty()) ::unlink(path.c_str());
@@ -153,35 +153,10 @@ bool write_pieces(int fd, const Produce& produce) {
     return failed == 0;
 }
 
-Status write_directly(const std::string& path, int fd, const Produce& produce) {
-    Descriptor file(fd);
-    if (!file.is_open() || !write_pieces(file.get(), produce) || !file.close())
-        return io_error(path, "cannot write", errno);
-    return Done{};
-}
-
 Status write_standard_output(const Produce& produce) {
     // What the program printed before comes first.
     if (std::fflush(stdout) != 0 || !write_pieces(::fileno(stdout), produce))
         return io_error("standard output", "cannot write", errno);
-    return Done{};
-}
-
-Status replace(const std::string& path, const Destination& target, const Produce& produce, Keep keep) {
-    if (target.old && ::faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
-        return io_error(path, "cannot write", errno);
-    Temporary temporary;
-    std::string temporary_path;
-    Descriptor file(open_temporary(target.path, temporary_path));
-    if (!file.is_open()) return io_error(path, "cannot write into " + folder_holding(target.path), errno);
-    temporary.path = temporary_path;  // from here on it is ours to remove
-    if (target.old) keep_owner_and_mode(file.get(), *target.old);
-    const bool need_not_wait = keep == Keep::until_power_fails;
-    if (!write_pieces(file.get(), produce) || !(need_not_wait || synchronise(file.get())) || !file.close())
-        return io_error(path, "cannot write", errno);
-    if (::rename(temporary.path.c_str(), target.path.c_str()) != 0)
-        return io_error(path, "cannot replace", errno);
-    temporary.kept = true;
     return Done{};
 }
 
@@ -216,10 +191,63 @@ Status write_file(const std::string& path, std::span<const std::byte> bytes, Kee
 
 Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce, Keep keep) {
     if (is_standard_output(path)) return write_standard_output(produce);
-    const Result<Destination> target = find_target(path);
-    if (!target) return target.error();
-    if (target->is_regular_or_new()) return replace(path, *target, produce, keep);
-    return write_directly(path, ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY), produce);
+    Result<FileInPieces> file = FileInPieces::open(path, keep);
+    if (!file) return file.error();
+    produce([&](std::span<const std::byte> piece) { return file->append(piece); });
+    return file->finish();
+}
+
+struct FileInPieces::State {
+    std::string path;
+    Destination target;
+    Keep keep;
+    Temporary temporary;  ///< of no name where the target is written directly
+    Descriptor file;
+    int failed = 0;  ///< the errno of the first piece that could not be written; those that follow are dropped
+};
+
+Result<FileInPieces> FileInPieces::open(const std::string& path, Keep keep) {
+    Result<Destination> found = find_target(path);
+    if (!found) return found.error();
+    const Destination& target = *found;
+    FileInPieces made;
+    if (!target.is_regular_or_new()) {
+        const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+        if (fd < 0) return io_error(path, "cannot write", errno);
+        made.state_.reset(new State{path, target, keep, {}, Descriptor(fd)});
+        return made;
+    }
+    if (target.old && ::faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
+        return io_error(path, "cannot write", errno);
+    std::string temporary_path;
+    const int fd = open_temporary(target.path, temporary_path);
+    if (fd < 0) return io_error(path, "cannot write into " + folder_holding(target.path), errno);
+    made.state_.reset(new State{path, target, keep, {temporary_path}, Descriptor(fd)});  // from here on ours to remove
+    if (target.old) keep_owner_and_mode(fd, *target.old);
+    return made;
+}
+
+FileInPieces::FileInPieces() = default;
+FileInPieces::FileInPieces(FileInPieces&&) noexcept = default;
+FileInPieces& FileInPieces::operator=(FileInPieces&&) noexcept = default;
+FileInPieces::~FileInPieces() = default;
+
+bool FileInPieces::append(std::span<const std::byte> piece) {
+    if (state_->failed == 0 && !write_all(state_->file.get(), piece)) state_->failed = errno;
+    return state_->failed == 0;
+}
+
+Status FileInPieces::finish() {
+    const std::unique_ptr<State> state = std::move(state_);
+    const bool is_temporary = !state->temporary.path.empty();
+    const bool need_not_wait = state->keep == Keep::until_power_fails || !is_temporary;
+    if (state->failed != 0) return io_error(state->path, "cannot write", state->failed);
+    if (!(need_not_wait || synchronise(state->file.get())) || !state->file.close())
+        return io_error(state->path, "cannot write", errno);
+    if (is_temporary && ::rename(state->temporary.path.c_str(), state->target.path.c_str()) != 0)
+        return io_error(state->path, "cannot replace", errno);
+    state->temporary.kept = true;
+    return Done{};
 }
 
 Status check_writable(const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,26 @@ using Sink = std::function<bool(std::span<const std::byte>)>;
 /// pieces to its sink, in order.
 Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce,
                             Keep keep = Keep::always);
+
+/// What write_file_in_pieces makes of a path that is no standard output, for those who cannot hand over all pieces in one
+/// call. What is not finished leaves nothing behind.
+class FileInPieces {
+public:
+    static Result<FileInPieces> open(const std::string& path, Keep keep = Keep::always);
+    FileInPieces(FileInPieces&&) noexcept;
+    FileInPieces& operator=(FileInPieces&&) noexcept;
+    ~FileInPieces();
+
+    /// False if this piece, or one before, cannot be written.
+    bool append(std::span<const std::byte> piece);
+    /// Once, at the end: the path names the new file from here on. Tells of the first error of all.
+    Status finish();
+
+private:
+    struct State;
+    FileInPieces();
+    std::unique_ptr<State> state_;
+};
 
 /// Whether write_file has a chance: the folder is there and can be written, the target is no folder and may
 /// be written. To be asked before a long rendering; a full disk shows itself only when written to.

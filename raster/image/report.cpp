@@ -28,6 +28,8 @@ namespace fs = std::filesystem;
 /// Beyond, browsers get slow; the pictures are in the folder all the same.
 constexpr std::size_t most_embedded_bytes = std::size_t(192) << 20;
 
+constexpr const char* page_name = "report.html";
+
 std::string hexadecimal(std::uint32_t value) {
     std::string digits(8, '0');
     for (std::size_t i = 8; i-- > 0; value >>= 4) digits[i] = "0123456789abcdef"[value & 15];
@@ -113,6 +115,8 @@ Status DiffReport::add(Comparison pair, const Gates& gates) try {
     Status written = Done{};
     if (!passes(diff.verdict))
         written = difference_only_.empty() ? write_pictures(pair, entry) : write_difference(pair, entry);
+    else if (page_)
+        add_without_pictures(entry, entries_.empty());
     entries_.push_back(std::move(entry));
     return written;
 } catch (const std::bad_alloc&) {
@@ -146,69 +150,103 @@ Status DiffReport::write_difference(const Comparison& pair, ReportEntry& entry) 
 Status DiffReport::write_pictures(Comparison& pair, ReportEntry& entry) {
     const fs::path folder = fs::path(folder_) / fs::path(pair.name).parent_path();
     if (const Status made = make_folder(folder); !made) return made;
+    if (!page_)
+        if (Status opened = open_page(); !opened) return opened;
     const std::string stem = stem_of(pair.name);
     const bool embed = embedded_bytes_ < most_embedded_bytes;
 
     IndexedImage difference;
     if (pair.diff.figures) difference = indexed_difference(*pair.expected.image, pair.diff);
-    // Independent of each other, and each takes its time.
-    using Job = std::function<Status()>;
-    const auto write_picture = [&](const Result<Bytes>& png, const std::string& file) -> Status {
-        return png ? write_file((fs::path(folder_) / file).string(), *png, Keep::until_power_fails)
-                   : Status(png.error());
-    };
-    const auto keep = [](Result<Bytes> made, Bytes& bytes) -> Status {
-        if (!made) return made.error();
-        bytes = std::move(*made);
-        return Done{};
-    };
-    std::vector<Job> jobs;
-    if (!difference.empty()) {
-        entry.difference_file = stem + ".diff.png";
-        jobs.push_back([&]() -> Status {
-            Result<Bytes> png = encode_png(difference);
-            const Status written = write_picture(png, entry.difference_file);
-            return written && embed ? keep(std::move(png), entry.difference_picture) : written;
-        });
-    }
-    if (!(pair.diff.flip_map.empty() && pair.diff.flip_steps.empty()) && embed)
-        jobs.push_back([&] { return keep(encode_png(flip_picture(std::move(pair.diff))), entry.flip_picture); });
-    if (pair.expected.image && pair.actual.image) {
-        entry.triptych_file = stem + ".triptych.png";
-        jobs.push_back([&] {
-            return write_picture(encode_png_fast(triptych(*pair.expected.image, *pair.actual.image, difference)),
-                                 entry.triptych_file);
-        });
-    }
+    if (!difference.empty()) entry.difference_file = stem + ".diff.png";
+    if (pair.expected.image && pair.actual.image) entry.triptych_file = stem + ".triptych.png";
     if (!pair.actual.file.empty() && pair.actual.image) {
         entry.actual_file = actual_name(pair);
         entry.approvable = !has_nan(*pair.actual.image);
     }
-    jobs.push_back([&] { return embed ? keep(picture_for_page(pair.expected), entry.expected_picture) : Done{}; });
-    jobs.push_back([&]() -> Status {
-        const std::string copy = (fs::path(folder_) / entry.actual_file).string();
-        if (!entry.actual_file.empty())
-            if (Status copied = write_file(copy, pair.actual.file, Keep::until_power_fails); !copied) return copied;
-        return embed ? keep(picture_for_page(pair.actual), entry.actual_picture) : Done{};
-    });
-    std::vector<Status> results(jobs.size(), Status(Done{}));
-    tiles::parallel_for(jobs.size(), [&](std::size_t i) { results[i] = jobs[i](); });
-    for (const Bytes* bytes :
-         {&entry.expected_picture, &entry.actual_picture, &entry.difference_picture, &entry.flip_picture})
-        embedded_bytes_ += bytes->size();
+    const bool is_first = entries_.empty();
+    const Sink page = [&](std::span<const std::byte> piece) { return page_->append(piece); };
+    const auto write_picture = [&](const Bytes& picture, const std::string& file) {
+        return write_file((fs::path(folder_) / file).string(), picture, Keep::until_power_fails);
+    };
+    const auto add_to_page = [&](const char* name, ComparedPicture& picture) -> Status {
+        const Result<Bytes> shown = embed ? picture_for_page(picture) : Bytes();
+        if (!shown) return shown.error();
+        embedded_bytes_ += shown->size();
+        write_page_picture(name, *shown, page);
+        return Done{};
+    };
+    Bytes difference_picture, flip_shown;
+    // Independent of each other, and each takes its time: what is there already is written while the rest is made.
+    const std::function<Status()> jobs[] = {
+        [&]() -> Status {
+            write_page_entry_start(to_json(entry), is_first, page);
+            if (!entry.actual_file.empty())
+                if (Status copied = write_picture(pair.actual.file, entry.actual_file); !copied) return copied;
+            if (Status added = add_to_page("expected", pair.expected); !added) return added;
+            return add_to_page("actual", pair.actual);
+        },
+        [&]() -> Status {
+            if (difference.empty()) return Done{};
+            Result<Bytes> png = encode_png(difference);
+            if (!png) return png.error();
+            difference_picture = std::move(*png);
+            return write_picture(difference_picture, entry.difference_file);
+        },
+        [&]() -> Status {
+            if (entry.triptych_file.empty()) return Done{};
+            const Result<Bytes> png = encode_png_fast(triptych(*pair.expected.image, *pair.actual.image, difference));
+            return png ? write_picture(*png, entry.triptych_file) : Status(png.error());
+        },
+        [&]() -> Status {
+            if ((pair.diff.flip_map.empty() && pair.diff.flip_steps.empty()) || !embed) return Done{};
+            Result<Bytes> png = encode_png(flip_picture(std::move(pair.diff)));
+            if (!png) return png.error();
+            flip_shown = std::move(*png);
+            return Done{};
+        },
+    };
+    std::vector<Status> results(std::size(jobs), Status(Done{}));
+    tiles::parallel_for(results.size(), [&](std::size_t i) { results[i] = jobs[i](); });
+    if (!embed) difference_picture.clear();
+    embedded_bytes_ += difference_picture.size() + flip_shown.size();
+    write_page_picture("difference", difference_picture, page);
+    write_page_picture("flip", flip_shown, page);
+    write_page_entry_end(page);
     for (Status& result : results)
         if (!result) return std::move(result);
     return Done{};
 }
 
+void DiffReport::add_without_pictures(const ReportEntry& entry, bool is_first) {
+    const Sink page = [&](std::span<const std::byte> piece) { return page_->append(piece); };
+    write_page_entry_start(to_json(entry), is_first, page);
+    for (const char* name : {"expected", "actual", "difference", "flip"}) write_page_picture(name, {}, page);
+    write_page_entry_end(page);
+}
+
+Status DiffReport::open_page() {
+    if (const Status made = make_folder(folder_); !made) return made;
+    Result<FileInPieces> opened = FileInPieces::open((fs::path(folder_) / page_name).string(), Keep::until_power_fails);
+    if (!opened) return opened.error();
+    page_ = std::move(*opened);
+    write_page_start(folder_, [&](std::span<const std::byte> piece) { return page_->append(piece); });
+    for (const ReportEntry& entry : entries_) add_without_pictures(entry, &entry == entries_.data());
+    return Done{};
+}
+
 Status DiffReport::finish() try {
     if (!difference_only_.empty()) return Done{};
-    const fs::path folder(folder_), page = folder / "report.html", data = folder / "diff.json";
+    const fs::path folder(folder_), page = folder / page_name, data = folder / "diff.json";
     if (!all_pass()) {
-        if (const Status made = make_folder(folder); !made) return made;
-        const auto produce = [&](const Sink& sink) { write_report_page(entries_, folder_, sink); };
-        if (Status written = write_file_in_pieces(page.string(), produce, Keep::until_power_fails); !written)
-            return written;
+        if (!page_ && !page_is_finished_)
+            if (Status opened = open_page(); !opened) return opened;
+        if (page_) {
+            FileInPieces file = std::move(*page_);
+            page_.reset();
+            page_is_finished_ = true;
+            write_page_end([&](std::span<const std::byte> piece) { return file.append(piece); });
+            if (Status written = file.finish(); !written) return written;
+        }
         const std::string facts = json();
         return write_file(data.string(), std::as_bytes(std::span(facts)), Keep::until_power_fails);
     }

@@ -26,8 +26,6 @@ struct ReportEntry {
     int width = 0, height = 0;                           ///< of the expected picture, or the actual one
     std::string actual_file, difference_file, triptych_file;  ///< names in the report's folder, "" when not written
     bool approvable = false;                                   ///< it failed, and the actual picture could be the expected one
-    /// Files of pictures in a format that browsers know, for the page only; empty where there is none.
-    Bytes expected_picture, actual_picture, difference_picture, flip_picture;
 };
 
 /// Gathers comparisons and writes about those that fail. Nothing is written, and no folder made, as long as all
@@ -44,7 +42,7 @@ public:
     /// NAME.triptych.png. Errors: input_output.
     Status add(Comparison comparison, const Gates& gates);
 
-    /// Writes report.html and diff.json if anything failed. Errors: input_output.
+    /// Once, after the last add: writes report.html and diff.json if anything failed. Errors: input_output.
     Status finish();
 
     const std::vector<ReportEntry>& entries() const { return entries_; }
@@ -60,20 +58,21 @@ public:
 
 private:
     Status write_pictures(Comparison& comparison, ReportEntry& entry);
+    Status open_page();
+    void add_without_pictures(const ReportEntry& entry, bool is_first);
     Status write_difference(const Comparison& comparison, ReportEntry& entry) const;
     void remove_earlier(const Comparison& comparison) const;
 
     std::string folder_;
     std::string difference_only_;  ///< the one file to write in the folder; empty: all
     std::vector<ReportEntry> entries_;
-    std::size_t embedded_bytes_ = 0;  ///< of pictures in the page so far
+    std::optional<FileInPieces> page_;  ///< grows as comparisons come in; opened by the first that fails
+    bool page_is_finished_ = false;
+    std::size_t embedded_bytes_ = 0;    ///< of pictures in the page so far
 };
 
 /// One comparison in words: verdict, figures, gates, the tightest that would pass, paths.
 std::string to_string(const ReportEntry& entry, const std::string& folder);
-
-/// The page: one file, no network, opens from disk.
-void write_report_page(const std::vector<ReportEntry>& entries, const std::string& folder, const Sink& sink);
 
 /// An entry as JSON, without its pictures.
 std::string to_json(const ReportEntry& entry);

@@ -5,33 +5,23 @@
 #include <string_view>
 
 #include <raster/image/data_url.h>
-#include <raster/image/report.h>
 #include <raster/image/report_json.h>
-#include <raster/tiles/parallel.h>
 
 namespace raster {
 namespace {
 
 void write_text(std::string_view text, const Sink& sink) { sink(std::as_bytes(std::span(text))); }
 
-/// A data URL, in pieces: pictures have megabytes. One is encoded while the last is written; they are large enough that
-/// another thread has time to join in.
+/// A data URL, in pieces that stay near the processor: pictures have megabytes.
 void write_url(const Bytes& picture, const Sink& sink) {
     const char* type = picture_type(picture);
     if (type == nullptr) return;
     write_text(std::string("data:") + type + ";base64,", sink);
-    constexpr std::size_t piece = 3 << 19;
-    std::string written, next;
-    for (std::size_t start = 0; start < picture.size() + piece; start += piece) {
-        std::swap(written, next);
-        tiles::parallel_for(2, [&](std::size_t i) {
-            if (i == 0)
-                write_text(written, sink);
-            else if (start >= picture.size())
-                next.clear();
-            else
-                base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start)), next);
-        });
+    constexpr std::size_t piece = 3 << 16;
+    std::string digits;
+    for (std::size_t start = 0; start < picture.size(); start += piece) {
+        base64(std::span(picture).subspan(start, std::min(piece, picture.size() - start)), digits);
+        write_text(digits, sink);
     }
 }
 
@@ -48,7 +38,7 @@ const char* picture_type(const Bytes& file) {
     return nullptr;
 }
 
-void write_report_page(const std::vector<ReportEntry>& entries, const std::string& folder, const Sink& sink) {
+void write_page_start(const std::string& folder, const Sink& sink) {
     const auto write = [&](std::string_view text) { write_text(text, sink); };
     // The policy forbids the page every connection, whatever a picture's name says.
     write(
@@ -61,20 +51,24 @@ void write_report_page(const std::vector<ReportEntry>& entries, const std::strin
     write(report_parts::body);
     write("<script type=\"application/json\" id=\"data\">");
     write("{\"folder\":" + json_string(folder) + ",\"pairs\":[");
-    for (const ReportEntry& entry : entries) {
-        write(&entry == entries.data() ? "\n{\"facts\":" : ",\n{\"facts\":");
-        write(to_json(entry));
-        // Of letters that need no escaping.
-        write(",\"expected\":\"");
-        write_url(entry.expected_picture, sink);
-        write("\",\"actual\":\"");
-        write_url(entry.actual_picture, sink);
-        write("\",\"difference\":\"");
-        write_url(entry.difference_picture, sink);
-        write("\",\"flip\":\"");
-        write_url(entry.flip_picture, sink);
-        write("\"}");
-    }
+}
+
+void write_page_entry_start(const std::string& facts, bool is_first, const Sink& sink) {
+    write_text(is_first ? "\n{\"facts\":" : ",\n{\"facts\":", sink);
+    write_text(facts, sink);
+}
+
+void write_page_picture(const char* name, const Bytes& picture, const Sink& sink) {
+    // Of letters that need no escaping.
+    write_text(std::string(",\"") + name + "\":\"", sink);
+    write_url(picture, sink);
+    write_text("\"", sink);
+}
+
+void write_page_entry_end(const Sink& sink) { write_text("}", sink); }
+
+void write_page_end(const Sink& sink) {
+    const auto write = [&](std::string_view text) { write_text(text, sink); };
     write("]}");
     write("</script>\n<script>\n");
     write(report_parts::script_panes);
