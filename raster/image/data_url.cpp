@@ -20,8 +20,8 @@ __attribute__((target("avx2"))) std::size_t encode_avx2(const unsigned char* in,
     const __m256i places = _mm256_setr_epi8(1, 0, 2, 1, 4, 3, 5, 4, 7, 6, 8, 7, 10, 9, 11, 10,  //
                                             1, 0, 2, 1, 4, 3, 5, 4, 7, 6, 8, 7, 10, 9, 11, 10);
     // What a digit is more than its value, by its kind: small letters, ten figures, + and /, capital letters.
-    const __m256i offsets = _mm256_setr_epi8('a' - 26, -4, -4, -4, -4, -4, -4, -4, -4, -4, -4, '+' - 62, '/' - 63, 'A', 0, 0,
-                                             'a' - 26, -4, -4, -4, -4, -4, -4, -4, -4, -4, -4, '+' - 62, '/' - 63, 'A', 0, 0);
+    const __m128i offset = _mm_setr_epi8('a' - 26, -4, -4, -4, -4, -4, -4, -4, -4, -4, -4, '+' - 62, '/' - 63, 'A', 0, 0);
+    const __m256i offsets = _mm256_set_m128i(offset, offset);
     std::size_t done = 0;
     for (; size - done >= 28; done += 24, out += 32) {
         const __m128i low = _mm_loadu_si128(reinterpret_cast<const __m128i*>(in + done));

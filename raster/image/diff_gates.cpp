@@ -27,8 +27,8 @@ namespace {
 /// How many pixels have which delta.
 class Deltas {
 public:
-    /// Deltas of whole numbers, 0 to `most`, are counted when first asked for; those of floats are looked through again for
-    /// each question. `figures`, if given, tell how many are above 0, and the largest: what is most often asked.
+    /// Deltas of whole numbers, 0 to `most`, are counted when first asked for; those of floats are looked through again
+    /// for each question. `figures`, if given, tell how many are above 0, and the largest: what is most often asked.
     Deltas(const ImageF& deltas, double most, bool whole_numbers, const Figures* figures)
         : deltas_(&deltas), most_(most), whole_numbers_(whole_numbers), figures_(figures) {}
 

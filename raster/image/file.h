@@ -37,8 +37,8 @@ using Sink = std::function<bool(std::span<const std::byte>)>;
 Status write_file_in_pieces(const std::string& path, const std::function<void(const Sink&)>& produce,
                             Keep keep = Keep::always);
 
-/// What write_file_in_pieces makes of a path that is no standard output, for those who cannot hand over all pieces in one
-/// call. What is not finished leaves nothing behind.
+/// What write_file_in_pieces makes of a path that is no standard output, for those who cannot hand over all pieces in
+/// one call. What is not finished leaves nothing behind.
 class FileInPieces {
 public:
     static Result<FileInPieces> open(const std::string& path, Keep keep = Keep::always);

@@ -184,8 +184,8 @@ void find_errors(const Display& expected_display, const Display& actual_display,
     }
 }
 
-/// Where errors are to be found. Tiles one below the other become one, up to a limit: each has to filter `radius` rows more
-/// at both its ends.
+/// Where errors are to be found. Tiles one below the other become one, up to a limit: each has to filter `radius` rows
+/// more at both its ends.
 std::vector<FlipTile> tiles_of(int width, int height, const DifferingCells& cells, int radius) {
     std::vector<FlipTile> all_tiles;
     for (int x = 0; x < width; x += flip_tile_width)

@@ -23,9 +23,9 @@ inline constexpr float default_pixels_per_degree = 67.0206433f;
 ImageF flip_map(const AnyImage& expected, const AnyImage& actual, const DifferingCells& cells,
                 float pixels_per_degree = default_pixels_per_degree);
 
-/// mean_of(flip_map(...)), bit for bit, without the map, which takes long to write and read. Into `steps`, if given, go the
-/// errors rounded up to 1/31: of one channel, 0 only where the error is 0. Nothing where the map is needed after all: for
-/// transparent pictures, and if an error is so tiny that the order of the sum matters.
+/// mean_of(flip_map(...)), bit for bit, without the map, which takes long to write and read. Into `steps`, if given, go
+/// the errors rounded up to 1/31: of one channel, 0 only where the error is 0. Nothing where the map is needed after
+/// all: for transparent pictures, and if an error is so tiny that the order of the sum matters.
 std::optional<double> flip_mean(const AnyImage& expected, const AnyImage& actual, const DifferingCells& cells,
                                 float pixels_per_degree, Image8* steps = nullptr);
 

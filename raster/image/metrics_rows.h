@@ -11,8 +11,8 @@ namespace raster {
 /// Rows are summed in pieces of so many floats; buffers are padded to a multiple.
 inline constexpr int row_block = 32;
 
-/// Zeros at an address that is a multiple of the widest register: a load or store that spans two cache lines takes twice
-/// the time.
+/// Zeros at an address that is a multiple of the widest register: a load or store that spans two cache lines takes
+/// twice the time.
 class AlignedFloats {
 public:
     static constexpr std::size_t alignment = 64;
@@ -59,8 +59,8 @@ void filter_rows_even_odd_even(const std::vector<float>& even_1, const std::vect
                                const std::vector<float>& even_2, const float* const* rows, int count, float* out_1,
                                float* out_odd, float* out_2);
 
-/// Adds values[i] to sums[i % sum_parts]: sums side by side need not wait for each other. False if a value is above 0 and
-/// below `least`. `values` has room for a multiple of sum_parts, and what it has there is lost.
+/// Adds values[i] to sums[i % sum_parts]: sums side by side need not wait for each other. False if a value is above 0
+/// and below `least`. `values` has room for a multiple of sum_parts, and what it has there is lost.
 inline constexpr int sum_parts = 8;
 bool add_in_parts(float* values, int count, float least, double* sums);
 

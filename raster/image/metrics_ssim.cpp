@@ -57,7 +57,8 @@ RASTER_INLINE void find_planes(float* __restrict x, float* __restrict change, fl
     }
 }
 
-/// 1 - SSIM of the windows around `count` pixels of a row, from their weighted planes: 0 exactly where windows are equal.
+/// 1 - SSIM of the windows around `count` pixels of a row, from their weighted planes: 0 exactly where windows are
+/// equal.
 template <int>
 RASTER_INLINE void find_deficits(const float* __restrict x, const float* __restrict change,
                                  const float* __restrict squares, const float* __restrict squared_change, int count,

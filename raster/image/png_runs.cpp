@@ -60,6 +60,37 @@ void subtract(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* differ
     for (std::size_t i = 0; i < count; ++i) difference[i] = std::uint8_t(a[i] - b[i]);
 }
 
+using Chunk = std::uint8_t __attribute__((vector_size(16)));
+using ChunkTokens = Token __attribute__((vector_size(32)));
+using ChunkMask = signed char __attribute__((vector_size(16)));
+constexpr int chunk = int(sizeof(Chunk));
+
+/// In `starts`, not 0 where four bytes are those that lie `distance` before them.
+void find_repeats(const std::uint8_t* at, int distance, ChunkMask& starts) {
+    starts = ~ChunkMask{};
+    for (int k = 0; k < 4; ++k) {
+        Chunk here, before;
+        std::memcpy(&here, at + k, sizeof here);
+        std::memcpy(&before, at + k - distance, sizeof before);
+        starts &= here == before;
+    }
+}
+
+/// How many bytes, of a chunk, come before a run of four or more starts. `pixel` bytes before the chunk can be read and
+/// three behind it.
+int bytes_before_run(const std::uint8_t* row, int pixel) {
+    ChunkMask of_bytes, of_pixels;
+    find_repeats(row, 1, of_bytes);
+    if (pixel > 1) {
+        find_repeats(row, pixel, of_pixels);
+        of_bytes |= of_pixels;
+    }
+    const auto words = std::bit_cast<std::array<std::uint64_t, 2>>(of_bytes);
+    if constexpr (std::endian::native == std::endian::little)
+        return words[0] != 0 ? std::countr_zero(words[0]) / 8 : 8 + std::countr_zero(words[1]) / 8;
+    return words[0] != 0 ? std::countl_zero(words[0]) / 8 : 8 + std::countl_zero(words[1]) / 8;
+}
+
 /// Writes a row's tokens, at most one for each byte and one more. Returns their end. Eight bytes beyond the row can be
 /// read. `pixel` is the bytes of one.
 Token* find_tokens(std::uint8_t filter, const std::uint8_t* row, int width, int pixel, Token* tokens) {
@@ -68,6 +99,14 @@ Token* find_tokens(std::uint8_t filter, const std::uint8_t* row, int width, int 
     int x = 0;
     while (x < std::min(pixel, width)) *tokens++ = row[x++];
     while (x < width) {
+        // Noise, of which there can be much, many bytes at once.
+        for (int literals = chunk; literals == chunk && x + chunk + 3 <= width; x += literals, tokens += literals) {
+            Chunk bytes;
+            std::memcpy(&bytes, row + x, sizeof bytes);
+            const ChunkTokens wide = __builtin_convertvector(bytes, ChunkTokens);
+            std::memcpy(tokens, &wide, sizeof wide);
+            literals = bytes_before_run(row + x, pixel);
+        }
         const int bytes = same_bytes(row + x, row + x - 1), pixels = same_bytes(row + x, row + x - pixel);
         int run = std::max(bytes, pixels);
         if (run < least) {
@@ -175,6 +214,19 @@ LengthCode symbol_of(int token) {
     return length_code(token % 256 + shortest_run);
 }
 
+/// `at_once` tokens have at most 57 bits.
+template <std::size_t at_once>
+void write_tokens(std::span<const Token> tokens, const Code* codes, BitWriter& out) {
+    BitWriter writer = out;  // in registers
+    std::size_t i = 0;
+    for (; i + at_once <= tokens.size(); i += at_once) {
+        for (std::size_t k = 0; k < at_once; ++k) writer.add(codes[tokens[i + k]].bits, codes[tokens[i + k]].count);
+        writer.flush();
+    }
+    for (; i < tokens.size(); ++i) writer.add(codes[tokens[i]].bits, codes[tokens[i]].count), writer.flush();
+    out = writer;
+}
+
 /// One block, which is not the last one, and an empty one that ends at a whole byte.
 Bytes pack_tokens(std::span<const Token> tokens, int pixel) {
     // Two of each count, since one that was just written is not read at once.
@@ -218,13 +270,11 @@ Bytes pack_tokens(std::span<const Token> tokens, int pixel) {
     };
     for (const std::uint8_t length : lengths) add_length(length);
     for (int distance = 1; distance <= pixel; ++distance) add_length(distance == 1 || distance == pixel ? 1 : 0);
-    std::size_t i = 0;
-    for (; i + 2 <= tokens.size(); i += 2) {
-        const Code first = codes[tokens[i]], second = codes[tokens[i + 1]];
-        writer.add(first.bits, first.count), writer.add(second.bits, second.count);
-        writer.flush();
-    }
-    if (i < tokens.size()) writer.add(codes[tokens[i]].bits, codes[tokens[i]].count), writer.flush();
+    int longest = 0;
+    for (std::size_t token = 0; token < kinds; ++token)
+        if (uses[token] > 0) longest = std::max(longest, codes[token].count);
+    const auto write = longest <= 57 / 4 ? write_tokens<4> : longest <= 57 / 3 ? write_tokens<3> : write_tokens<2>;
+    write(tokens, codes.data(), writer);
     writer.add(of_symbol[end_of_block].bits, of_symbol[end_of_block].count);
     writer.add(0, 3);  // a block of stored bytes, of which there are none
     writer.to_whole_byte(), writer.flush();
