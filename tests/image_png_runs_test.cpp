@@ -65,6 +65,23 @@ TEST(PngRuns, RunsOfEveryLengthUnpack) {
     expect_unpacks(image);
 }
 
+TEST(PngRuns, ARunWithinNoiseIsFoundWhereverItStarts) {
+    Random random(42);
+    for (const int channels : {1, 3, 4})
+        for (const int step : {1, channels}) {
+            Image8 noise(120, 1, channels);
+            for (std::uint8_t& sample : noise.samples) sample = std::uint8_t(random.integer(0, 255));
+            const int bytes = int(noise.samples.size());
+            const std::size_t size = pack_runs(noise).size();
+            for (int start = step; start < bytes - 60; ++start) {
+                Image8 image = noise;
+                for (int i = start; i < start + 60; ++i)
+                    image.samples[std::size_t(i)] = image.samples[std::size_t(i - step)];
+                EXPECT_LT(pack_runs(image).size(), size - 50) << channels << " " << step << " " << start;
+            }
+        }
+}
+
 TEST(PngRuns, CodesAreNeverLongerThanDeflateAllows) {
     // Counts like Fibonacci's numbers would make codes of 21 bits.
     Image8 image(1, 1 << 17, 1);
@@ -74,6 +91,23 @@ TEST(PngRuns, CodesAreNeverLongerThanDeflateAllows) {
             image.samples[next++] = std::uint8_t(color);
         count = std::exchange(later, count + later);
     }
+    expect_unpacks(image);
+}
+
+TEST(PngRuns, ColoursWithTheLongestCodesMayStandSideBySide) {
+    std::vector<std::uint8_t> colors;
+    for (std::size_t color = 1, count = 1, later = 1; color <= 22; ++color) {
+        colors.insert(colors.end(), count, std::uint8_t(color));
+        count = std::exchange(later, count + later);
+    }
+    Random random(43);
+    for (int i = int(colors.size()) - 1; i > 20; --i)
+        std::swap(colors[std::size_t(i)], colors[std::size_t(random.integer(20, i))]);
+    // Rare runs too, whose codes have five more bits and one for the distance.
+    for (int color = 23; color < 27; ++color)
+        colors.insert(colors.begin() + 4, std::size_t(140 + 35 * (color - 23)), std::uint8_t(color));
+    Image8 image(int(colors.size()), 1, 1);
+    image.samples = colors;
     expect_unpacks(image);
 }
 

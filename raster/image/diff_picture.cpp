@@ -88,6 +88,10 @@ const std::uint8_t* displayed_row(const AnyImage& image, const Display& display,
 void place_row(const std::vector<Rgb8>& colors, const Scale& scale, int left, int top, int row, Image8& page) {
     for (int v = 0; v < scale.grow; ++v) {
         std::uint8_t* out = page.pixel(left, top + row * scale.grow + v);
+        if (scale.grow == 1) {  // of a large picture, all at once
+            std::memcpy(out, colors.data(), colors.size() * sizeof(Rgb8));
+            continue;
+        }
         for (const Rgb8& color : colors)
             for (int u = 0; u < scale.grow; ++u) out = std::copy(color.begin(), color.end(), out);
     }

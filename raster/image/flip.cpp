@@ -235,7 +235,10 @@ std::optional<double> flip_mean(const AnyImage& expected_image, const AnyImage& 
     const Filters filters(pixels_per_degree);
     const Display expected(expected_image, 0.0f), actual(actual_image, 0.0f);
     const int width = expected.width(), height = expected.height();
-    if (steps != nullptr) *steps = Image8(width, height, 1);
+    if (steps != nullptr) {
+        steps->width = width, steps->height = height, steps->channels = 1;
+        resize_whole(steps->samples, std::size_t(width) * std::size_t(height));
+    }
 
     // mean_of adds up each row in eight parts from left to right. If all of a row's errors are whole multiples of one
     // power of two, and no part can have more than the 53 bits of a double, its parts are exact, in any order. An error
