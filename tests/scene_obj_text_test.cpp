@@ -153,7 +153,7 @@ TEST(ObjNumbers, DigitsAndDecimalsAreThoseOfTheStandardLibrary) {
         const int scale = random.integer(0, 8);
         char text[48];
         std::snprintf(text, sizeof text, "%.*f", scale, double(odd) / (1 << scale));
-        for (const char* tail : {"", "0", "1", "00000000001"}) {
+        for (const char* tail : {"", "0", "000", "0000", "00000", "1", "0001", "00000000001"}) {
             const std::string number = text + std::string(scale == 0 ? "." : "") + tail;
             ASSERT_EQ(read_bits(number), std::bit_cast<std::uint32_t>(from_chars_of(number))) << number;
         }
