@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 namespace raster {
 
@@ -13,34 +14,56 @@ void Target::clear(glm::vec4 color, float depth) {
     pending_depth_ = encode_clear_depth(depth_format_, depth);
 }
 
-void Target::write_clear(std::size_t index, int count) {
-    const std::size_t n = std::size_t(count);
-    if (color_format_ == ColorFormat::rgba8) {
-        std::fill_n(color8_.data() + index, n, pending_color8_);
-    } else {
-        std::fill_n(color_float_.data() + index, n, pending_color_);
-    }
-    std::fill_n(depth_.data() + index, n, pending_depth_);
-    for (auto& plane : extra_) std::fill_n(plane.data() + index, n, 0.0f);
-}
-
-void Target::write_clear_box(int x, int y, int width, int height) {
-    const int columns = std::min(width, width_ - x);
-    const int rows = std::min(height, height_ - y);
+namespace {
+/// One value in a box, cut to the plane; whole rows at one go.
+template <class T>
+void fill_box(std::vector<T>& plane, int plane_width, int plane_height, int x, int y, int width, int height,
+              const T& value) {
+    const int columns = std::min(width, plane_width - x);
+    int rows = std::min(height, plane_height - y);
     if (columns <= 0 || rows <= 0) return;
-    if (columns == width_) {
-        write_clear(index(0, y), columns * rows);
+    std::size_t run = std::size_t(columns);
+    if (columns == plane_width) run *= std::size_t(std::exchange(rows, 1));
+    T* p = plane.data() + std::size_t(y) * std::size_t(plane_width) + std::size_t(x);
+    for (int row = 0; row < rows; ++row, p += plane_width) std::fill_n(p, run, value);
+}
+}  // namespace
+
+void Target::write_clear_color(int x, int y, int width, int height) {
+    if (color_format_ == ColorFormat::rgba8) {
+        fill_box(color8_, width_, height_, x, y, width, height, pending_color8_);
     } else {
-        for (int row = 0; row < rows; ++row) write_clear(index(x, y + row), columns);
+        fill_box(color_float_, width_, height_, x, y, width, height, pending_color_);
     }
+    for (auto& plane : extra_) fill_box(plane, width_, height_, x, y, width, height, 0.0f);
 }
 
-void Target::write_pending_clear() {
-    static std::mutex one_writer;
+void Target::write_clear_depth(int x, int y, int width, int height) {
+    fill_box(depth_, width_, height_, x, y, width, height, pending_depth_);
+}
+
+namespace {
+std::mutex one_writer;
+}
+
+void Target::write_pending_color() {
     const std::lock_guard lock(one_writer);
     if (!pending_) return;
-    for (int row = 0; row < height_; ++row) write_clear(index(0, row), width_);
+    write_clear_color(0, 0, width_, height_);
+    std::fill(depth_waits_.begin(), depth_waits_.end(), char(1));
+    std::atomic_ref(depths_wait_).store(true, std::memory_order_release);
     std::atomic_ref(pending_).store(false, std::memory_order_release);
+}
+
+void Target::write_waiting_depths() {
+    const std::lock_guard lock(one_writer);
+    if (!depths_wait_) return;
+    const int tiles_x = tiles::tiles_along(width_);
+    for (std::size_t tile = 0; tile < depth_waits_.size(); ++tile)
+        if (std::exchange(depth_waits_[tile], char(0)))
+            write_clear_depth(int(tile) % tiles_x * tiles::tile_size, int(tile) / tiles_x * tiles::tile_size,
+                              tiles::tile_size, tiles::tile_size);
+    std::atomic_ref(depths_wait_).store(false, std::memory_order_release);
 }
 
 glm::vec4 Target::color(int x, int y) const {

@@ -13,6 +13,7 @@
 #include <raster/stages/blend.h>
 #include <raster/stages/depth.h>
 #include <raster/tiles/scratch.h>
+#include <raster/tiles/tiling.h>
 
 namespace raster {
 
@@ -60,6 +61,7 @@ public:
         }
         resize_whole(depth_, pixels());
         for (auto& plane : extra_) resize_whole(plane, pixels());
+        depth_waits_.resize(tiles::tile_count(width, height));
         clear({0, 0, 0, 0});
     }
 
@@ -72,14 +74,15 @@ public:
     /// Colour everywhere, depth (0 near to 1 far) everywhere, 0 in the extra planes.
     void clear(glm::vec4 color, float depth = 1.0f);
 
-    /// The stored planes: colour as r | g << 8 | b << 16 | a << 24, or four floats; depth as encode_depth gives it.
+    /// The stored planes: colour as r | g << 8 | b << 16 | a << 24, or four floats; depth as encode_depth gives it. After a
+    /// clear or a draw they are whole only when asked for anew: what a clear leaves is written when someone looks.
     std::vector<std::uint32_t>& color8() { return finished().color8_; }
     std::vector<glm::vec4>& color_float() { return finished().color_float_; }
-    std::vector<std::uint32_t>& depth() { return finished().depth_; }
+    std::vector<std::uint32_t>& depth() { return finished_depth().depth_; }
     std::vector<float>& extra(int channel) { return finished().extra_[std::size_t(channel)]; }
     const std::vector<std::uint32_t>& color8() const { return finished().color8_; }
     const std::vector<glm::vec4>& color_float() const { return finished().color_float_; }
-    const std::vector<std::uint32_t>& depth() const { return finished().depth_; }
+    const std::vector<std::uint32_t>& depth() const { return finished_depth().depth_; }
     const std::vector<float>& extra(int channel) const { return finished().extra_[std::size_t(channel)]; }
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + std::size_t(x); }
@@ -95,12 +98,17 @@ public:
     ImageF extra_image(int channel) const;
 
     // For the tile drivers: a clear is only noted, and written by the next draw with the tiles that it writes anyway, or
-    // by whoever looks first. The raw planes may therefore still hold what was there before.
+    // by whoever looks first. The raw planes may therefore still hold what was there before. Depths that a clear leaves in
+    // tiles where nothing is drawn are not written before someone looks at depths.
     bool clear_is_pending() const { return pending_; }
     std::uint32_t pending_depth() const { return pending_depth_; }
-    void write_clear(std::size_t index, int count);
-    void write_clear_box(int x, int y, int width, int height);
-    void clear_was_written() { pending_ = false; }
+    void write_clear_color(int x, int y, int width, int height);
+    void write_clear_depth(int x, int y, int width, int height);
+    char& depth_waits(std::size_t tile) { return depth_waits_[tile]; }
+    void clear_was_written() {
+        depths_wait_ = depths_wait_ || pending_;
+        pending_ = false;
+    }
     std::uint32_t* raw_color8() { return color8_.data(); }
     glm::vec4* raw_color_float() { return color_float_.data(); }
     std::int32_t* raw_depth() { return reinterpret_cast<std::int32_t*>(depth_.data()); }
@@ -111,13 +119,20 @@ public:
 
 private:
     std::size_t pixels() const { return std::size_t(width_) * std::size_t(height_); }
-    /// This target with nothing pending. Several threads may look at once, and the first writes the clear.
+    /// This target with nothing pending but depths. Several threads may look at once, and the first writes the clear.
     Target& finished() {
-        if (std::atomic_ref(pending_).load(std::memory_order_acquire)) write_pending_clear();
+        if (std::atomic_ref(pending_).load(std::memory_order_acquire)) write_pending_color();
         return *this;
     }
     const Target& finished() const { return const_cast<Target*>(this)->finished(); }
-    void write_pending_clear();
+    Target& finished_depth() {
+        finished();
+        if (std::atomic_ref(depths_wait_).load(std::memory_order_acquire)) write_waiting_depths();
+        return *this;
+    }
+    const Target& finished_depth() const { return const_cast<Target*>(this)->finished_depth(); }
+    void write_pending_color();
+    void write_waiting_depths();
 
     int width_, height_;
     ColorFormat color_format_;
@@ -127,6 +142,8 @@ private:
     std::vector<std::uint32_t> depth_;
     std::vector<std::vector<float>> extra_;
     bool pending_ = false;
+    bool depths_wait_ = false;       ///< some of these may be set
+    std::vector<char> depth_waits_;  ///< a tile: its depths are pending_depth_, and not written yet; void while pending_
     glm::vec4 pending_color_{0.0f};
     std::uint32_t pending_color8_ = 0;
     std::uint32_t pending_depth_ = 0;

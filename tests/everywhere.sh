@@ -21,7 +21,7 @@ builds=(
     "g++-O3|g++-12 -O3"
     "g++-O3-avx2|g++-12 -O3 -mavx2 -mno-fma"
     "g++-O3-avx2-fma|g++-12 -O3 -march=x86-64-v3"
-    "g++-O2-no-vectors|g++-12 -O2 -DRASTER_NO_VECTOR_EXTENSIONS"
+    "g++-O1-no-vectors|g++-12 -O1 -DRASTER_NO_VECTOR_EXTENSIONS"
     "clang14-O0|clang++-14 -O0"
     "clang14-O1|clang++-14 -O1"
     "clang14-O2|clang++-14 -O2"

@@ -5,6 +5,8 @@
 
 #include <raster/pipeline.h>
 
+#include "pipeline_testing.h"
+
 namespace {
 
 using namespace raster;
@@ -105,6 +107,49 @@ TEST(Target, ACopyIsItsOwn) {
     EXPECT_EQ(b.color8()[0], 0u);
     const Target c = std::move(a);
     EXPECT_EQ(c.color8()[3], 0xffffffffu);
+}
+
+/// A rectangle at one depth, in window coordinates of a target of 200 x 100 pixels.
+void draw_box(Target& t, float x0, float x1, float ndc_z) {
+    const auto corner = [&](float x, float y) {
+        raster::testing::Full::Vertex<float> v{};
+        v.position = {x / 100 - 1, y / 50 - 1, ndc_z, 1};
+        v.color = glm::vec4(1);
+        return v;
+    };
+    const raster::testing::Vertices box = {corner(x0, 0),   corner(x1, 0),   corner(x1, 100),
+                                   corner(x1, 100), corner(x0, 100), corner(x0, 0)};
+    draw(t, raster::testing::Smooth{}, Mesh{box}, State{});
+}
+
+TEST(Target, DepthsOfAClearArriveWhereNothingIsDrawn) {
+    Target t(200, 100);
+    draw_box(t, 0, 200, -0.5f);
+    ASSERT_EQ(t.depth(190, 50), t.depth(10, 50)) << "what the clear has to write over";
+    t.clear({0, 0, 0, 0}, 0.75f);
+    draw_box(t, 0, 20, 0);
+    EXPECT_EQ(t.color8()[t.index(190, 50)], 0u);
+    EXPECT_NEAR(t.depth(10, 50), 0.5f, 1e-6f);
+    EXPECT_NEAR(t.depth(40, 50), 0.75f, 1e-6f) << "in the box's tile";
+    EXPECT_NEAR(t.depth(190, 50), 0.75f, 1e-6f) << "in another one";
+    EXPECT_NEAR(t.depth(190, 99), 0.75f, 1e-6f);
+}
+
+TEST(Target, LaterDrawsMeetTheDepthsOfAClearThatNobodyLookedAt) {
+    Target t(200, 100);
+    draw_box(t, 0, 200, -0.5f);
+    t.clear({0, 0, 0, 0}, 0.75f);
+    draw_box(t, 0, 20, 0);
+    draw_box(t, 100, 200, 0.6f);  // hidden by the clear, not by the depths of before
+    draw_box(t, 150, 200, 0.2f);
+    EXPECT_EQ(t.color8()[t.index(120, 50)], 0u);
+    EXPECT_NEAR(t.depth(120, 50), 0.75f, 1e-6f);
+    EXPECT_EQ(t.color8()[t.index(170, 50)], 0xffffffffu);
+    EXPECT_NEAR(t.depth(170, 50), 0.6f, 1e-6f);
+    const Target copy = t;
+    EXPECT_EQ(copy.depth(), t.depth());
+    t.clear({0, 0, 0, 0}, 0.25f);
+    EXPECT_NEAR(t.depth(170, 50), 0.25f, 1e-6f) << "with no draw in between";
 }
 
 }  // namespace

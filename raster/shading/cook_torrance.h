@@ -13,6 +13,7 @@ struct CookTorrance {
     /// up to four times what it gets.
     enum class Denominator { four_pi, pi };
     static constexpr std::string_view name = "cook-torrance";
+    static constexpr bool specialised = true;
     static auto forms() {
         CookTorrance gaussian, over_pi;
         gaussian.distribution = Distribution::gaussian;

@@ -9,6 +9,7 @@ namespace raster {
 struct Lambert {
     static constexpr std::string_view name = "lambert";
     static constexpr bool specialised = true;
+    static constexpr bool has_specular = false;
 
     Lambert with_material(const Material&) const { return *this; }
 

@@ -136,16 +136,11 @@ struct Lit {
     vec<3, F> diffuse, specular;
 };
 
-/// The reflectance model evaluated for every light, in their order.
+namespace detail {
+/// The sums for lights of any number and kind.
 template <class Model, class F>
-inline Lit<F> illuminate(const Model& model, std::span<const EyeLight> lights, const Frame<F>& frame,
-                         const vec<3, F>& position_eye) {
-    // One directional light, the most usual: sums stay in registers, and positions need not be interpolated.
-    if (lights.size() == 1 && lights[0].kind == LightKind::directional) {
-        const EyeLight& light = lights[0];
-        Reflectance<F> value = model.evaluate(frame, vec<3, F>(-light.direction_eye));
-        return {value.diffuse * light.diffuse, value.specular * light.specular};
-    }
+RASTER_ONE_CALL Lit<F> illuminate_by_all(const Model& model, std::span<const EyeLight> lights, const Frame<F>& frame,
+                                         const vec<3, F>& position_eye) {
     Lit<F> sum{vec<3, F>(F(0)), vec<3, F>(F(0))};
     for (const EyeLight& light : lights) {
         LightSample<F> from = sample_light(light, position_eye);
@@ -154,6 +149,28 @@ inline Lit<F> illuminate(const Model& model, std::span<const EyeLight> lights, c
         sum.specular += value.specular * from.strength * light.specular;
     }
     return sum;
+}
+}  // namespace detail
+
+/// The reflectance model evaluated for every light, in their order.
+template <class Model, class F>
+inline Lit<F> illuminate(const Model& model, std::span<const EyeLight> lights, const Frame<F>& frame,
+                         const vec<3, F>& position_eye) {
+    // One directional light, the most usual: sums stay in registers, and positions need not be interpolated.
+    if (lights.size() == 1 && lights[0].kind == LightKind::directional) [[likely]] {
+        const EyeLight& light = lights[0];
+        Reflectance<F> value = model.evaluate(frame, vec<3, F>(-light.direction_eye));
+        return {value.diffuse * light.diffuse, value.specular * light.specular};
+    }
+    // Copies, so that the others stay in registers.
+    Frame<F> its_frame = frame;
+    vec<3, F> its_position = position_eye;
+    if constexpr (std::is_trivially_copyable_v<Model>) {
+        Model its_model = model;
+        return detail::illuminate_by_all(its_model, lights, its_frame, its_position);
+    } else {
+        return detail::illuminate_by_all(model, lights, its_frame, its_position);
+    }
 }
 
 }  // namespace raster

@@ -12,6 +12,7 @@ namespace raster {
 struct OrenNayar {
     static constexpr std::string_view name = "oren-nayar";
     static constexpr bool specialised = true;
+    static constexpr bool has_specular = false;
 
     float sigma = 0.5f;  ///< standard deviation of the facets' slope angle in radians, 0 to pi/2
 

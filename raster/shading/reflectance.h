@@ -40,6 +40,7 @@ struct Reflectance {
 ///         static constexpr bool anisotropic = false;               // optional: whether it reads Frame's t and b
 ///         static constexpr bool specialised = true;                // optional: a pixel shader of its own, inlined; for
 ///                                                                  // models that cost less than a call
+///         static constexpr bool has_specular = false;              // optional: that part is 0 always
 ///         static constexpr bool needs_data = true;                 // optional: black without what a material brings
 ///         static constexpr bool has_own_color = true;              // optional: the diffuse part's colour is its own,
 ///                                                                  // kd being white as a rule
@@ -93,6 +94,16 @@ constexpr bool is_specialised() {
         return M::specialised;
     } else {
         return false;
+    }
+}
+
+/// Whether a model's specular part is ever more than 0.
+template <class M>
+constexpr bool has_specular() {
+    if constexpr (requires { M::has_specular; }) {
+        return M::has_specular;
+    } else {
+        return true;
     }
 }
 

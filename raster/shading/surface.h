@@ -88,11 +88,13 @@ inline vec<4, F> sum_of(const Terms<F>& t, F alpha) {
     return detail::final_color(((t.emission + t.ambient) + t.diffuse) + t.specular, alpha);
 }
 
-/// The same sum for a material that is the same all over, where half of it needs computing only once.
-template <class F>
+/// The same sum for a material that is the same all over, where half of it needs computing only once. The model, where it
+/// is told, may have no specular part.
+template <class Model = void, class F>
 inline vec<4, F> plain_sum(const SurfaceColors<float>& colors, const glm::vec3& ambient, const Lit<F>& lit) {
-    vec<3, F> base(colors.emission + colors.ambient * ambient);
-    return detail::final_color((base + lit.diffuse * colors.diffuse) + lit.specular * colors.specular, F(colors.alpha));
+    vec<3, F> sum = vec<3, F>(colors.emission + colors.ambient * ambient) + lit.diffuse * colors.diffuse;
+    if constexpr (has_specular<Model>()) sum += lit.specular * colors.specular;
+    return detail::final_color(sum, F(colors.alpha));
 }
 
 }  // namespace raster

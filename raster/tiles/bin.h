@@ -14,11 +14,10 @@
 #include <raster/stages/setup.h>
 #include <raster/state.h>
 #include <raster/tiles/scratch.h>
+#include <raster/tiles/tiling.h>
 
 namespace raster::tiles {
 
-inline constexpr int tile_bits = 6;
-inline constexpr int tile_size = 1 << tile_bits;
 
 /// Set in a bin's entry when the rest is the number of a LargeTriangle of its chunk, else the entry is a triangle's number.
 inline constexpr std::uint32_t large_bit = 1u << 31;

@@ -83,8 +83,8 @@ inline void find_touched_tiles(std::span<const ChunkBins> chunks, std::vector<ch
         for (std::size_t t = 0; t < tiles; ++t) touched[t] = char(touched[t] | char(c.offsets[t] != c.offsets[t + 1]));
 }
 
-/// Writes a pending clear over rows of tiles that are in good part untouched, whole rows of pixels at a time: memory takes
-/// those several times as fast as rows of a tile. The other tiles write theirs with what they draw.
+/// Writes the colour of a pending clear over rows of tiles that are in good part untouched, whole rows of pixels at a time:
+/// memory takes those several times as fast as rows of a tile. The other tiles write theirs with what they draw.
 inline void clear_sparse_rows(Target& target, const DrawContext& draw, std::span<const char> touched,
                               std::vector<char>& cleared) {
     cleared.assign(std::size_t(draw.tiles_y), 0);
@@ -92,7 +92,7 @@ inline void clear_sparse_rows(Target& target, const DrawContext& draw, std::span
     parallel_for(cleared.size(), [&](std::size_t row) {
         const auto tiles = touched.subspan(row * std::size_t(draw.tiles_x), std::size_t(draw.tiles_x));
         if (4 * std::count(tiles.begin(), tiles.end(), 0) < draw.tiles_x) return;
-        target.write_clear_box(0, int(row) * tile_size, target.width(), tile_size);
+        target.write_clear_color(0, int(row) * tile_size, target.width(), tile_size);
         cleared[row] = 1;
     });
 }
@@ -104,12 +104,19 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
     const int tile_x = int(tile_index) % draw.tiles_x, tile_y = int(tile_index) / draw.tiles_x;
     const bool blends = HasFragment<S> && draw.state.blend != Blend::off && draw.state.color_write;
     const bool touched = context.touched[tile_index] != 0;
-    bool clear_wanted = target.clear_is_pending() && !context.cleared_rows[std::size_t(tile_y)];
-    if (clear_wanted && (!touched || blends)) {
-        target.write_clear_box(tile_x * tile_size, tile_y * tile_size, tile_size, tile_size);
-        clear_wanted = false;
+    const bool pending = target.clear_is_pending();
+    bool clear_color = pending && !context.cleared_rows[std::size_t(tile_y)];
+    if (clear_color && (!touched || blends)) {
+        target.write_clear_color(tile_x * tile_size, tile_y * tile_size, tile_size, tile_size);
+        clear_color = false;
     }
-    if (!touched) return;
+    char& depth_waits = target.depth_waits(tile_index);
+    if (!touched) {
+        if (pending) depth_waits = 1;
+        return;
+    }
+    if (!pending && depth_waits) target.write_clear_depth(tile_x * tile_size, tile_y * tile_size, tile_size, tile_size);
+    depth_waits = 0;
 
     WorkspaceLoan loan(target.scratch().workspaces);
     TileBuffer& tile = (*loan).tile;
@@ -127,11 +134,11 @@ inline void draw_tile(const ShadingContext<S>& context, std::size_t tile_index, 
     raster_opaque(draw, context.chunks, tile_index, tile, target.depth_format(), colors);
     restore_outside(tile, target, draw.limits);
     if constexpr (HasFragment<S>) {
-        resolve_depth(tile, target, clear_wanted, draw.state.depth_write,
+        resolve_depth(tile, target, clear_color, draw.state.depth_write,
                       colors && output_count<S> - 4 >= target.extra_channels());
         if (colors) resolve_color(context, *loan, target);
     } else {
-        resolve_depth(tile, target, clear_wanted, draw.state.depth_write, false);
+        resolve_depth(tile, target, clear_color, draw.state.depth_write, false);
     }
 }
 
@@ -155,8 +162,7 @@ DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template
     const ViewportTransform transform(viewport);
     const VertexBuffer<S> shaded =
         shade_vertices(shader, mesh.vertices.subspan(low, high - low + 1), transform, state.clip_planes, scratch);
-    const int tiles_x = (target.width() + tile_size - 1) / tile_size,
-              tiles_y = (target.height() + tile_size - 1) / tile_size;
+    const int tiles_x = tiles_along(target.width()), tiles_y = tiles_along(target.height());
     const DrawContext context{mesh.indices, state,   transform, target.width(), target.height(),
                               tiles_x,      tiles_y, low,       shaded.window,  shaded.outcodes,
                               drawable_pixels(state, target.width(), target.height()), target.depth_format()};

@@ -31,8 +31,17 @@ std::uint64_t visible_pixels(const TileBuffer& tile, int block) {
     return pixels_where(tile, block, [](IntN slots) { return slots != IntN(0); });
 }
 
-std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot) {
-    return pixels_where(tile, block, [slot](IntN slots) { return slots == IntN(slot); });
+FewTriangles list_owners(const TileBuffer& tile, int block, std::uint64_t mask, int most) {
+    FewTriangles few;
+    for (std::uint64_t rest = mask; rest;) {
+        if (few.count == most) return {};
+        const int pixel = std::countr_zero(rest);
+        const std::int32_t owner =
+            tile.slot[first_pixel_of_block(block) + pixel / block_size * tile_size + pixel % block_size];
+        rest &= ~pixels_where(tile, block, [owner](IntN slots) { return slots == IntN(owner); });
+        few.at[few.count++] = owner;
+    }
+    return few;
 }
 
 namespace {
@@ -62,7 +71,7 @@ void write_block_depth(const TileBuffer& tile, int block, Target& target) {
     }
 }
 
-/// The blocks of a row of the tile, as bits, whose clear is to be written.
+/// The blocks of a row of the tile, as bits, whose pixels show the clear's colour, or will until they are shaded.
 std::uint32_t blocks_to_clear(const TileBuffer& tile, int by, bool colors_follow) {
     std::uint32_t r = 0;
     for (int bx = 0; bx < blocks_per_row; ++bx) {
@@ -75,24 +84,42 @@ std::uint32_t blocks_to_clear(const TileBuffer& tile, int by, bool colors_follow
     return r;
 }
 
+/// The blocks of a row of the tile, as bits, in which no triangle passed.
+std::uint32_t untouched_blocks(const TileBuffer& tile, int by) {
+    std::uint32_t r = 0;
+    for (int bx = 0; bx < blocks_per_row; ++bx) {
+        const int block = by * blocks_per_row + bx;
+        if ((tile.uniform >> block & 1) && tile.block_slot[block] == 0) r |= 1u << bx;
+    }
+    return r;
+}
+
+/// Calls write(x, y, width, height) for the blocks of such a row. Neighbours at one go: long rows are written faster.
+template <class Write>
+void for_runs(const TileBuffer& tile, int by, std::uint32_t blocks, const Write& write) {
+    while (blocks) {
+        const int first = std::countr_zero(blocks), run = std::countr_one(blocks >> first);
+        write(tile.x + first * block_size, tile.y + by * block_size, run * block_size, block_size);
+        blocks &= ~(((1u << run) - 1) << first);
+    }
+}
+
 }  // namespace
 
-void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool depth_write, bool colors_follow) {
+void resolve_depth(TileBuffer& tile, Target& target, bool clear_color, bool depth_write, bool colors_follow) {
     if (tile.whole) split_tile(tile);
     for (int by = 0; by < blocks_per_row && tile.y + by * block_size < target.height(); ++by) {
-        if (clear_wanted)
-            for (std::uint32_t rest = blocks_to_clear(tile, by, colors_follow); rest;) {
-                // Neighbours at one go: long rows are written faster.
-                const int first = std::countr_zero(rest), run = std::countr_one(rest >> first);
-                target.write_clear_box(tile.x + first * block_size, tile.y + by * block_size, run * block_size,
-                                       block_size);
-                rest &= ~(((1u << run) - 1) << first);
-            }
-        if (!depth_write && !clear_wanted) continue;
-        for (int block = by * blocks_per_row; block < (by + 1) * blocks_per_row; ++block) {
-            const bool untouched = (tile.uniform >> block & 1) && tile.block_slot[block] == 0;
-            if (!untouched && tile.x + block_x(block) < target.width()) write_block_depth(tile, block, target);
-        }
+        if (clear_color)
+            for_runs(tile, by, blocks_to_clear(tile, by, colors_follow),
+                     [&](int x, int y, int width, int height) { target.write_clear_color(x, y, width, height); });
+        if (!depth_write && !tile.cleared) continue;
+        const std::uint32_t untouched = untouched_blocks(tile, by);
+        if (tile.cleared)
+            for_runs(tile, by, untouched,
+                     [&](int x, int y, int width, int height) { target.write_clear_depth(x, y, width, height); });
+        for (int bx = 0; bx < blocks_per_row; ++bx)
+            if (!(untouched >> bx & 1) && tile.x + bx * block_size < target.width())
+                write_block_depth(tile, by * blocks_per_row + bx, target);
     }
 }
 

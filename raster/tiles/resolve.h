@@ -6,16 +6,19 @@
 
 namespace raster::tiles {
 
-/// Writes a tile's depths to the target, and with `clear_wanted` its pending clear where no triangle is visible. The clear
-/// is left out below blocks that triangles hide when `colors_follow`: when every plane of theirs is about to be written.
-void resolve_depth(TileBuffer& tile, Target& target, bool clear_wanted, bool depth_write, bool colors_follow);
+/// Writes a tile's depths to the target; and with `clear_color` the colour of its pending clear where no triangle is
+/// visible. That is left out below blocks that triangles hide when `colors_follow`: when every plane of theirs is about to
+/// be written.
+void resolve_depth(TileBuffer& tile, Target& target, bool clear_color, bool depth_write, bool colors_follow);
 
 /// The pixels of a block that belong to the target, as shade_block takes them.
 std::uint64_t pixels_in_target(const Target& target, int x, int y);
 
-/// The block's pixels that show a triangle, and those that show the triangle of a slot.
+/// The block's pixels that show a triangle.
 std::uint64_t visible_pixels(const TileBuffer& tile, int block);
-std::uint64_t pixels_of_slot(const TileBuffer& tile, int block, std::int32_t slot);
+
+/// Whose pixels those of the mask are, where that are at most `most` triangles.
+FewTriangles list_owners(const TileBuffer& tile, int block, std::uint64_t mask, int most);
 
 /// Lists the slots whose planes are wanted in `visible`, and puts their places in it where the tile named the slots.
 void list_visible_slots(Workspace& workspace);
@@ -35,6 +38,8 @@ void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Targe
         make_shading_planes(context, slots, visible.subspan(i, std::min(pack, visible.size() - i)), planes + i);
     }
 
+    // Where triangles are small it does not pay to look for blocks that show few.
+    const int most = visible.size() > 2 * block_count ? 1 : FewTriangles::most;
     for (int block = 0; block < block_count; ++block) {
         const int x = tile.x + block_x(block), y = tile.y + block_y(block);
         const std::uint64_t in_target = pixels_in_target(target, x, y);
@@ -47,12 +52,11 @@ void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Targe
         const std::uint64_t mask = visible_pixels(tile, block) & in_target;
         if (mask == 0) continue;
         const std::int32_t* const owners = tile.slot + first_pixel_of_block(block);
-        const int first = std::countr_zero(mask);
-        const std::int32_t owner = owners[first / block_size * tile_size + first % block_size];
-        if ((mask & ~pixels_of_slot(tile, block, owner)) == 0) {
-            shade_block(context.shader, planes[owner], target, Blend::off, x, y, mask);
+        const FewTriangles few = list_owners(tile, block, mask, most);
+        if (few.count == 1) {
+            shade_block(context.shader, planes[few.at[0]], target, Blend::off, x, y, mask);
         } else {
-            shade_mixed(context.shader, planes, owners, target, x, y, mask);
+            shade_mixed(context.shader, planes, owners, few, target, x, y, mask);
         }
     }
 }

@@ -11,6 +11,15 @@
 
 namespace raster::tiles {
 
+/// Two packs as one of twice the lanes, and one pack twice.
+template <template <int> class Pack>
+inline Pack<2 * native_lanes> pair(Pack<native_lanes> a, Pack<native_lanes> b) {
+    using V = decltype(Pack<2 * native_lanes>::v);
+    return Pack<2 * native_lanes>(V{a.v, b.v});
+}
+template <template <int> class Pack>
+inline Pack<2 * native_lanes> twice(Pack<native_lanes> a) { return pair(a, a); }
+
 /// Triangles' planes along a column of pixels: of one triangle, or of one a lane.
 template <HasFragment S, class F>
 struct ShadingColumn {
@@ -19,6 +28,8 @@ struct ShadingColumn {
     F depth_offset, px;
     Int<F> triangle;
     Mask<F> front_facing;
+
+    ShadingColumn() = default;
 
     ShadingColumn(const ShadingPlanes<S>& p, F px)
         : varyings(columns_at<S, F>(from_numbers<S, float>(p.varyings), px)),
@@ -55,6 +66,36 @@ struct ShadingColumn {
         }
     }
 };
+
+/// A column for two rows.
+template <HasFragment S>
+inline ShadingColumn<S, FloatPair> twice(const ShadingColumn<S, FloatN>& one) {
+    ShadingColumn<S, FloatPair> r;
+    const auto widen = [](const Column<FloatN>& c) { return Column<FloatPair>{twice(c.start), twice(c.dady)}; };
+    for (std::size_t i = 0; i < r.varyings.columns.size(); ++i)
+        r.varyings.columns[i] = widen(one.varyings.columns[i]);
+    r.varyings.oow = widen(one.varyings.oow);
+    r.depth = widen(one.depth), r.depth_offset = twice(one.depth_offset), r.px = twice(one.px);
+    r.triangle = twice(one.triangle), r.front_facing = twice(one.front_facing);
+    return r;
+}
+
+/// Lane i is of `a` where the mask is set, else of `b`.
+template <HasFragment S>
+inline ShadingColumn<S, FloatPair> select(Mask<FloatPair> mask, const ShadingColumn<S, FloatPair>& a,
+                                          const ShadingColumn<S, FloatPair>& b) {
+    ShadingColumn<S, FloatPair> r;
+    const auto choose = [&](const Column<FloatPair>& x, const Column<FloatPair>& y) {
+        return Column<FloatPair>{select(mask, x.start, y.start), select(mask, x.dady, y.dady)};
+    };
+    for (std::size_t i = 0; i < r.varyings.columns.size(); ++i)
+        r.varyings.columns[i] = choose(a.varyings.columns[i], b.varyings.columns[i]);
+    r.varyings.oow = choose(a.varyings.oow, b.varyings.oow);
+    r.depth = choose(a.depth, b.depth), r.depth_offset = select(mask, a.depth_offset, b.depth_offset), r.px = a.px;
+    r.triangle = select(mask, a.triangle, b.triangle);
+    r.front_facing = (mask & a.front_facing) | ((!mask) & b.front_facing);
+    return r;
+}
 
 /// The outputs of the pixels (px, py), one in each lane.
 template <HasFragment S, class F>
@@ -181,7 +222,7 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
             return bits;
         };
         FloatN px = to_float(IntN(x + c) + lane_index<FloatN>());
-        ShadingColumn<S, FloatPair> column(planes, FloatPair(FloatPair::V{px.v, px.v}));
+        ShadingColumn<S, FloatPair> column(planes, twice(px));
         while (rest) {
             int row0, row1;
             const std::uint32_t bits0 = take_row(row0);
@@ -192,11 +233,18 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
     }
 }
 
+/// The triangles of a block that shows few of them, as places in a list of planes.
+struct FewTriangles {
+    static constexpr int most = 4;
+    std::int32_t at[most];
+    int count = 0;  ///< 0 where they are many
+};
+
 /// The same for pixels of several triangles: the pixel of bit i shows the triangle planes[owners[i % 8 + tile_size (i / 8)]].
 /// A pack's lanes may then be of different triangles, however small these are.
 template <HasFragment S>
 RASTER_FLATTEN void shade_mixed(const S& shader_in, const ShadingPlanes<S>* planes, const std::int32_t* owners,
-                                Target& target, int x, int y, std::uint64_t mask) {
+                                const FewTriangles& few, Target& target, int x, int y, std::uint64_t mask) {
     S shader = shader_in;
     if (!worth_rows(target, x, mask)) {
         const std::int32_t any_owner =
@@ -214,18 +262,26 @@ RASTER_FLATTEN void shade_mixed(const S& shader_in, const ShadingPlanes<S>* plan
     }
     for (int c = 0; c < block_size; c += native_lanes) {
         FloatN px = to_float(IntN(x + c) + lane_index<FloatN>());
+        ShadingColumn<S, FloatN> columns[FewTriangles::most];
+        for (int t = 0; t < few.count; ++t) columns[t] = ShadingColumn<S, FloatN>(planes[few.at[t]], px);
         for (int row = 0; row < block_size; row += 2) {
             const auto bits_of = [&](int r) { return std::uint32_t(mask >> (r * block_size + c) & pack_bits); };
             const std::uint32_t bits0 = bits_of(row), bits1 = bits_of(row + 1);
             if ((bits0 | bits1) == 0) continue;
             const std::int32_t* const owner0 = owners + row * tile_size + c;
             const std::int32_t* const owner1 = owner0 + tile_size;
-            // Pixels that nobody owns take a neighbour's planes: garbage, but tame garbage.
-            const IntN any_owner(bits0 ? owner0[std::countr_zero(bits0)] : owner1[std::countr_zero(bits1)]);
-            const IntN which0 = select(mask_of_bits<FloatN>(bits0), load_int<FloatN>(owner0), any_owner);
-            const IntN which1 = select(mask_of_bits<FloatN>(bits1), load_int<FloatN>(owner1), any_owner);
-            ShadingColumn<S, FloatPair> column(planes, Int<FloatPair>(Int<FloatPair>::V{which0.v, which1.v}),
-                                               FloatPair(FloatPair::V{px.v, px.v}));
+            const Int<FloatPair> which = pair(load_int<FloatN>(owner0), load_int<FloatN>(owner1));
+            ShadingColumn<S, FloatPair> column;
+            if (few.count) {
+                const auto shows = [&](int t) { return which == Int<FloatPair>(few.at[t]); };
+                column = select(shows(1), twice(columns[1]), twice(columns[0]));
+                for (int t = 2; t < few.count; ++t) column = select(shows(t), twice(columns[t]), column);
+            } else {
+                // Pixels that nobody owns take a neighbour's planes: garbage, but tame garbage.
+                const IntN any_owner(bits0 ? owner0[std::countr_zero(bits0)] : owner1[std::countr_zero(bits1)]);
+                const Mask<FloatPair> owned = pair(mask_of_bits<FloatN>(bits0), mask_of_bits<FloatN>(bits1));
+                column = ShadingColumn<S, FloatPair>(planes, select(owned, which, twice(any_owner)), twice(px));
+            }
             shade_two_rows(shader, column, target, Blend::off, x + c, y + row, bits0, y + row + 1, bits1);
         }
     }
