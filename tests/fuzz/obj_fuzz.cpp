@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <raster/scene/obj.h>
+#include <raster/scene/obj_parse.h>
 #include <raster/scene/triangulate.h>
 
 namespace {
@@ -65,6 +66,41 @@ void require_same(const Outcome& a, const Outcome& b) {
                         a.model->vertices.size() * sizeof a.model->vertices[0]) == 0);
 }
 
+struct Read {
+    obj::ObjData data;
+    LoadReport report;
+    std::string error;
+};
+
+Read read_in_pieces(std::string_view text, std::size_t piece_bytes) {
+    ObjOptions options;
+    options.max_triangles = 1000;
+    options.max_line_bytes = 1000;
+    Read read;
+    obj::Log log(read.report, options.strict);
+    read.data = obj::parse_statements(text, "x.obj", nullptr, options, log, piece_bytes);
+    if (log.failed()) read.error = log.error().message;
+    return read;
+}
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+// Where a text is cut into pieces makes no difference.
+void require_same_in_pieces(std::string_view text) {
+    const Read whole = read_in_pieces(text, text.size() + 1), pieces = read_in_pieces(text, text.size() / 5 + 1);
+    require(whole.error == pieces.error && whole.report.messages() == pieces.report.messages());
+    require(whole.report.positions == pieces.report.positions && whole.report.faces == pieces.report.faces);
+    if (!whole.error.empty()) return;
+    const obj::ObjData &a = whole.data, &b = pieces.data;
+    require(same_bytes(a.positions, b.positions) && same_bytes(a.colors, b.colors) && same_bytes(a.uvs, b.uvs) &&
+            same_bytes(a.normals, b.normals) && same_bytes(a.corners, b.corners) && same_bytes(a.runs, b.runs));
+    require(a.face_ends == b.face_ends && a.face_lines == b.face_lines && a.names == b.names &&
+            a.material_names == b.material_names && a.material_lines == b.material_lines);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
@@ -78,6 +114,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         require_readable(plain.model.error().message);
     }
     require_same(plain, parse(text, false));
+    require_same_in_pieces(text);
 
     // What is without a fault is loaded as well when faults are errors, and nothing else is.
     const Outcome strict = parse(text, true);
