@@ -60,16 +60,16 @@ void subtract(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* differ
     for (std::size_t i = 0; i < count; ++i) difference[i] = std::uint8_t(a[i] - b[i]);
 }
 
-using Chunk = std::uint8_t __attribute__((vector_size(16)));
-using ChunkTokens = Token __attribute__((vector_size(32)));
-using ChunkMask = signed char __attribute__((vector_size(16)));
-constexpr int chunk = int(sizeof(Chunk));
+using RunBytes = std::uint8_t __attribute__((vector_size(16)));
+using RunTokens = Token __attribute__((vector_size(32)));
+using RunMask = signed char __attribute__((vector_size(16)));
+constexpr int chunk = int(sizeof(RunBytes));
 
 /// In `starts`, not 0 where four bytes are those that lie `distance` before them.
-void find_repeats(const std::uint8_t* at, int distance, ChunkMask& starts) {
-    starts = ~ChunkMask{};
+void find_repeats(const std::uint8_t* at, int distance, RunMask& starts) {
+    starts = ~RunMask{};
     for (int k = 0; k < 4; ++k) {
-        Chunk here, before;
+        RunBytes here, before;
         std::memcpy(&here, at + k, sizeof here);
         std::memcpy(&before, at + k - distance, sizeof before);
         starts &= here == before;
@@ -79,7 +79,7 @@ void find_repeats(const std::uint8_t* at, int distance, ChunkMask& starts) {
 /// How many bytes, of a chunk, come before a run of four or more starts. `pixel` bytes before the chunk can be read and
 /// three behind it.
 int bytes_before_run(const std::uint8_t* row, int pixel) {
-    ChunkMask of_bytes, of_pixels;
+    RunMask of_bytes, of_pixels;
     find_repeats(row, 1, of_bytes);
     if (pixel > 1) {
         find_repeats(row, pixel, of_pixels);
@@ -101,9 +101,9 @@ Token* find_tokens(std::uint8_t filter, const std::uint8_t* row, int width, int 
     while (x < width) {
         // Noise, of which there can be much, many bytes at once.
         for (int literals = chunk; literals == chunk && x + chunk + 3 <= width; x += literals, tokens += literals) {
-            Chunk bytes;
+            RunBytes bytes;
             std::memcpy(&bytes, row + x, sizeof bytes);
-            const ChunkTokens wide = __builtin_convertvector(bytes, ChunkTokens);
+            const RunTokens wide = __builtin_convertvector(bytes, RunTokens);
             std::memcpy(tokens, &wide, sizeof wide);
             literals = bytes_before_run(row + x, pixel);
         }
