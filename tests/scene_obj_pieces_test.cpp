@@ -88,7 +88,10 @@ public:
 private:
     bool chance(int of) { return random_.integer(1, of) == 1; }
     bool fault() { return faults_ == 3 ? chance(20) : faults_ == 2 && chance(300); }
-    void end_line() { text_ += ends_ == 3 ? (chance(2) ? "\n" : chance(2) ? "\r\n" : "\r") : ends_ == 2 ? "\r\n" : "\n"; }
+    void end_line() {
+        const char* const mixed = chance(2) ? "\n" : chance(2) ? "\r\n" : "\r";
+        text_ += ends_ == 3 ? mixed : ends_ == 2 ? "\r\n" : "\n";
+    }
     /// A blank, or the end of a line that goes on.
     void gap() {
         text_ += ' ';
@@ -150,7 +153,8 @@ private:
         } else if (kind < 96) {
             text_ += chance(2) ? "l 1 2" : "p 1";
         } else if (kind < 97) {
-            if (fault()) text_ += chance(2) ? "unknown 1" : std::string("v 1 2\0 3", 8) + std::string(chance(9) ? 90 : 0, '1');
+            const std::string zeros = std::string("v 1 2\0 3", 8) + std::string(chance(9) ? 90 : 0, '1');
+            if (fault()) text_ += chance(2) ? "unknown 1" : zeros;
         } else if (kind < 98) {
             if (chance(3)) text_ += "mtllib", word(chance(2) ? "one.mtl" : chance(2) ? "two.mtl" : "none.mtl");
         } else if (fault()) {
@@ -220,7 +224,8 @@ std::string large_text() {
     for (int i = 0; text.size() < 9 * usual_piece_bytes; ++i) {
         char line[120];
         std::snprintf(line, sizeof line, "v %.6f %.6f %.6f\nf -1 -%d %d\n", double(random.uniform(-1, 1)),
-                      double(random.uniform(-1, 1)), double(i) / 8192, random.integer(2, i + 3), random.integer(1, i + 3));
+                      double(random.uniform(-1, 1)), double(i) / 8192, random.integer(2, i + 3),
+                      random.integer(1, i + 3));
         text += line;
         if (i % 5000 == 0) text += "g part" + std::to_string(i) + "\n";
     }

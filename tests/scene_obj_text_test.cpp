@@ -1,4 +1,5 @@
 // scene_obj_text_test.cpp: bytes to statements and words to numbers, before any of it means geometry.
+#include <charconv>
 #include <clocale>
 #include <limits>
 
@@ -117,6 +118,48 @@ TEST(ObjNumbers, AreTheNearestFloats) {
     }
 }
 
+float from_chars_of(const std::string& text) {
+    float value = 0;
+    std::from_chars(text.data() + (text[0] == '-'), text.data() + text.size(), value);
+    return text[0] == '-' ? -value : value;
+}
+
+std::uint32_t read_bits(const std::string& text) {
+    const Numbers numbers = parse_numbers(text);
+    EXPECT_EQ(numbers.count, 1) << text;
+    return std::bit_cast<std::uint32_t>(numbers.value[0]);
+}
+
+TEST(ObjNumbers, DigitsAndDecimalsAreThoseOfTheStandardLibrary) {
+    for (int i = 0; i < 2'000'000; i += 7) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%d.%06d", i / 1'000'000, i % 1'000'000);
+        ASSERT_EQ(read_bits(text), std::bit_cast<std::uint32_t>(from_chars_of(text))) << text;
+    }
+    testing::Random random(4);
+    for (int i = 0; i < 300'000; ++i) {
+        std::string text = random.integer(0, 1) == 0 ? "-" : "";
+        const int digits = random.integer(1, 18), point = random.integer(-1, digits);
+        for (int d = 0; d < digits; ++d) {
+            if (d == point) text += '.';
+            text += char('0' + random.integer(0, 9));
+        }
+        if (point == digits) text += '.';
+        ASSERT_EQ(read_bits(text), std::bit_cast<std::uint32_t>(from_chars_of(text))) << text;
+    }
+    // Half way between two floats, or a hair to either side: all digits count.
+    for (int i = 0; i < 100'000; ++i) {
+        const auto odd = std::uint32_t(random.integer(1 << 24, (1 << 25) - 1)) | 1;  // 25 bits
+        const int scale = random.integer(0, 8);
+        char text[48];
+        std::snprintf(text, sizeof text, "%.*f", scale, double(odd) / (1 << scale));
+        for (const char* tail : {"", "0", "000", "0000", "00000", "1", "0001", "00000000001"}) {
+            const std::string number = text + std::string(scale == 0 ? "." : "") + tail;
+            ASSERT_EQ(read_bits(number), std::bit_cast<std::uint32_t>(from_chars_of(number))) << number;
+        }
+    }
+}
+
 TEST(ObjNumbers, TooLargeIsInfiniteAndTooSmallIsZero) {
     const float infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(parse_number("1e39"), infinity);
@@ -161,6 +204,31 @@ TEST(ObjCorners, TheFourForms) {
     EXPECT_EQ(states("2147483647/x/1.5"), std::tuple(true, good, bad, bad));
     EXPECT_FALSE(std::get<0>(states("1/2/3/4")));
     EXPECT_FALSE(std::get<0>(states("/2/3")));
+}
+
+TEST(ObjCorners, PlainOnesHaveNoFault) {
+    for (const char* text : {"1 2 3", "-1 +2 3", "1/2 3/4  5/6", "1//2\t3//4", "123456789/1/-1 2"})
+        EXPECT_TRUE(has_plain_corners(text)) << text;
+    for (const char* text : {"",     "0",  "1 0",     "1/0", "1//0", "1/2/0", "x",          "1x",  "1/",  "1//", "1/2/",
+                             "/1",   "+",  "1/2/3/4", "1 -", "01",   "1 # 2", "1234567890", "1.5", "--1", "+-1"})
+        EXPECT_FALSE(has_plain_corners(text)) << text;
+    testing::Random random(5);
+    int plain = 0;
+    for (int i = 0; i < 300'000; ++i) {
+        std::string text = "1";
+        for (int length = random.integer(0, 8); length > 0; --length)
+            text += "  \t1203456789//-+"[random.integer(0, 16)];
+        std::string_view words = trimmed(text);
+        if (!has_plain_corners(words)) continue;
+        ++plain;
+        while (!words.empty()) {
+            const CornerWord corner = parse_corner(next_word(words));
+            ASSERT_TRUE(corner.well_formed) << text;
+            for (const auto state : corner.state) ASSERT_NE(state, CornerWord::Index::bad) << text;
+            ASSERT_EQ(corner.state[0], CornerWord::Index::good) << text;
+        }
+    }
+    EXPECT_GT(plain, 10'000);
 }
 
 TEST(ObjMessages, ControlCharactersAndBrokenTextAreSpeltOut) {

@@ -2,6 +2,7 @@
 #include <raster/scene/normals.h>
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cmath>
 
@@ -62,8 +63,13 @@ Meetings find_meetings(std::span<const glm::vec3> positions, std::span<const std
     std::uint32_t places = 0;
     {
         std::vector<glm::vec3> distinct;
-        obj::Dedup<glm::vec3> number(distinct);
-        for (std::size_t i = 0; i < positions.size(); ++i) place[i] = number(positions[i] + 0.0f);  // -0 becomes 0
+        obj::Dedup<glm::vec3> number(distinct, positions.size());
+        distinct.reserve(positions.size());
+        constexpr std::size_t ahead = 8;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            if (i + ahead < positions.size()) number.ask_ahead(positions[i + ahead] + 0.0f);
+            place[i] = number(positions[i] + 0.0f);  // -0 becomes 0
+        }
         places = std::uint32_t(distinct.size());
     }
     Meetings m;
@@ -99,21 +105,45 @@ public:
     /// The normals of all corners that meet in one position, at most `most_compared`. Each is a sum over those it
     /// shares its normal with, in their order; corners that share with the same ones have one sum.
     void smooth(std::span<const std::uint32_t> corners, std::vector<glm::vec3>& normals) const {
-        using Sharing = std::bitset<most_compared>;
-        Sharing last_sharing;
+        const std::size_t count = corners.size();
+        struct Around {
+            glm::vec3 normal;
+            std::uint32_t face, group;
+        };
+        std::array<Around, most_compared> around;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t face = face_of_[corners[i]];
+            around[i] = {facets_[face].normal, face, group(face)};
+        }
+        const auto share = [&](const Around& a, const Around& b) {
+            if (a.face == b.face) return true;
+            if (a.group != b.group || a.group == smoothing_off) return false;
+            if (a.group != smoothing_by_angle && !within_groups_) return true;
+            return glm::dot(a.normal, b.normal) >= least_cosine_;
+        };
+        // Mostly all share with all.
+        bool all_share = true;
+        for (std::size_t i = 1; i < count && all_share; ++i)
+            for (std::size_t k = 0; k < i; ++k) all_share = all_share && share(around[i], around[k]);
+        if (all_share) {
+            glm::dvec3 sum(0.0);
+            for (const std::uint32_t corner : corners) sum += weighted(corner);
+            const glm::vec3 shared = unit(sum);
+            for (const std::uint32_t corner : corners) normals[corner] = unit_or_own(shared, corner);
+            return;
+        }
+        std::bitset<most_compared> sharing, last_sharing;
         glm::vec3 shared(0.0f);
-        for (const std::uint32_t corner : corners) {
-            Sharing sharing;
-            for (std::size_t i = 0; i < corners.size(); ++i)
-                if (shares(face_of_[corner], face_of_[corners[i]])) sharing.set(i);
+        for (std::size_t c = 0; c < count; ++c) {
+            for (std::size_t i = 0; i < count; ++i) sharing.set(i, share(around[c], around[i]));
             if (sharing != last_sharing) {
                 glm::dvec3 sum(0.0);
-                for (std::size_t i = 0; i < corners.size(); ++i)
+                for (std::size_t i = 0; i < count; ++i)
                     if (sharing.test(i)) sum += weighted(corners[i]);
                 last_sharing = sharing;
                 shared = unit(sum);
             }
-            normals[corner] = unit_or_own(shared, corner);
+            normals[corners[c]] = unit_or_own(shared, corners[c]);
         }
     }
 
@@ -136,13 +166,6 @@ public:
 
 private:
     std::uint32_t group(std::uint32_t face) const { return groups_.empty() ? smoothing_by_angle : groups_[face]; }
-
-    bool shares(std::uint32_t a, std::uint32_t b) const {
-        if (a == b) return true;
-        if (group(a) != group(b) || group(a) == smoothing_off) return false;
-        if (group(a) != smoothing_by_angle && !within_groups_) return true;
-        return glm::dot(facets_[a].normal, facets_[b].normal) >= least_cosine_;
-    }
 
     glm::dvec3 weighted(std::uint32_t corner) const {
         const Facet& facet = facets_[face_of_[corner]];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 #include <raster/scene/obj_dedup.h>
 #include <raster/scene/triangulate.h>
@@ -73,7 +74,21 @@ struct Triangles {
 
 Triangles cut_faces(const ObjData& data, std::string_view file, Log& log) {
     Triangles triangles;
-    triangles.corners.reserve(3 * data.face_ends.size());
+    const std::size_t count = data.face_ends.size();
+    const auto is_good_triangle = [&](std::size_t face) {
+        const Corner* const c = &data.corners[3 * face];
+        const glm::vec3 &p = data.positions[c[0].position], &q = data.positions[c[1].position],
+                        &r = data.positions[c[2].position];
+        return is_finite(p) && is_finite(q) && is_finite(r) && !has_zero_area(p, q, r);
+    };
+    // A face has three corners at least, so all have three if there are three times as many.
+    if (data.corners.size() == 3 * count && data.bad_positions == 0 && all_in_chunks(count, is_good_triangle)) {
+        triangles.corners.resize(3 * count);
+        std::iota(triangles.corners.begin(), triangles.corners.end(), 0u);
+        triangles.runs = data.runs;
+        return triangles;
+    }
+    triangles.corners.reserve(3 * count);
     Triangulator triangulate;
     std::vector<glm::vec3> polygon;
     const std::string why_not_finite = "a corner has no finite position (" + data.bad_position_word + " in line " +
@@ -86,16 +101,15 @@ Triangles cut_faces(const ObjData& data, std::string_view file, Log& log) {
             triangles.runs.back().first_face = std::uint32_t(triangles.corners.size() / 3);
         }
         const std::size_t first = first_corner(data, face), before = triangles.corners.size();
-        polygon.clear();
+        const auto position = [&](std::size_t c) { return data.positions[data.corners[c].position]; };
         bool all_finite = true;
-        for (std::size_t c = first; c < data.face_ends[face]; ++c) {
-            polygon.push_back(data.positions[data.corners[c].position]);
-            all_finite = all_finite && is_finite(polygon.back());
-        }
-        if (all_finite && polygon.size() == 3) {
-            if (!has_zero_area(polygon[0], polygon[1], polygon[2]))
+        for (std::size_t c = first; c < data.face_ends[face]; ++c) all_finite = all_finite && is_finite(position(c));
+        if (all_finite && data.face_ends[face] - first == 3) {
+            if (!has_zero_area(position(first), position(first + 1), position(first + 2)))
                 for (std::uint32_t c = 0; c < 3; ++c) triangles.corners.push_back(std::uint32_t(first) + c);
         } else if (all_finite) {
+            polygon.clear();
+            for (std::size_t c = first; c < data.face_ends[face]; ++c) polygon.push_back(position(c));
             triangulate(polygon, triangles.corners);
             for (std::size_t c = before; c < triangles.corners.size(); ++c)
                 triangles.corners[c] += std::uint32_t(first);
@@ -136,18 +150,31 @@ void index_vertices(const ObjData& data, const Triangles& triangles, const std::
                     Model& model) {
     model.indices.reserve(triangles.corners.size());
     model.vertices.reserve(std::min(data.positions.size(), triangles.corners.size()));
-    Dedup<SurfaceVertex<float>> number(model.vertices);
-    // Most corners are the vertex that their position had the last time, which takes no search.
+    Dedup<SurfaceVertex<float>> number(model.vertices, model.vertices.capacity());
+    // Most corners are the vertex that their position had the last time, which takes no search. Position and colour are
+    // the same then.
     constexpr std::uint32_t none = 0xffffffffu;
     std::vector<std::uint32_t> latest(data.positions.size(), none);
-    for (const std::uint32_t c : triangles.corners) {
+    const auto vertex_of = [&](std::uint32_t c) -> SurfaceVertex<float> {
         const Corner& corner = data.corners[c];
-        const SurfaceVertex<float> vertex{
-            data.positions[corner.position], corner.normal < 0 ? made_normals[c] : data.normals[corner.normal],
-            corner.uv < 0 ? glm::vec2(0) : data.uvs[corner.uv],
-            data.colors.empty() ? glm::vec3(1) : data.colors[corner.position]};
+        return {data.positions[corner.position], corner.normal < 0 ? made_normals[c] : data.normals[corner.normal],
+                corner.uv < 0 ? glm::vec2(0) : data.uvs[corner.uv],
+                data.colors.empty() ? glm::vec3(1) : data.colors[corner.position]};
+    };
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < triangles.corners.size(); ++i) {
+        if (i + ahead < triangles.corners.size()) {
+            const std::uint32_t c = triangles.corners[i + ahead];
+            if (latest[data.corners[c].position] == none) number.ask_ahead(vertex_of(c));
+        }
+        const std::uint32_t c = triangles.corners[i];
+        const Corner& corner = data.corners[c];
+        const glm::vec3& normal = corner.normal < 0 ? made_normals[c] : data.normals[corner.normal];
+        const glm::vec2 uv = corner.uv < 0 ? glm::vec2(0) : data.uvs[corner.uv];
         std::uint32_t& index = latest[corner.position];
-        if (index == none || !same_bits(model.vertices[index], vertex)) index = number(vertex);
+        if (index == none || !same_bits(model.vertices[index].normal, normal) ||
+            !same_bits(model.vertices[index].uv, uv))
+            index = number(vertex_of(c));
         model.indices.push_back(index);
     }
 }

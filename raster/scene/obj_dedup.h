@@ -1,6 +1,8 @@
 // obj_dedup.h: a table in which equal values find each other.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -24,9 +26,9 @@ bool same_bits(const T& a, const T& b) {
 template <class T>
 class Dedup {
 public:
-    explicit Dedup(std::vector<T>& values) : values_(values), slots_(1024, empty) {
-        static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
-    }
+    /// Makes room for `expected` values; more can come.
+    explicit Dedup(std::vector<T>& values, std::size_t expected = 0)
+        : values_(values), slots_(std::bit_ceil(std::max<std::size_t>(1024, 2 * expected + 2)), empty) {}
 
     /// The number of `value` in the vector; it is appended if it is new.
     std::uint32_t operator()(const T& value) {
@@ -39,6 +41,13 @@ public:
         slots_[slot] = std::uint32_t(values_.size());
         values_.push_back(value);
         return slots_[slot];
+    }
+
+    /// Asks memory for what the search for `value` will read. Most of its time it would wait for that.
+    void ask_ahead([[maybe_unused]] const T& value) const {
+#if defined(__GNUC__)
+        __builtin_prefetch(&slots_[hash(value) & (slots_.size() - 1)]);
+#endif
     }
 
 private:

@@ -22,8 +22,8 @@ std::string_view next_word(std::string_view& text);
 /// zero bytes at every other place.
 bool is_utf16(std::string_view bytes);
 
-/// Where the first statement at or after `at` surely starts: behind a line end that no backslash stands before. The size
-/// if there is none. Up to there and from there on, a text can be read in two pieces.
+/// Where the first statement after `at` surely starts: behind a line end that no backslash stands before. The size if
+/// there is none. Up to there and from there on, a text can be read in two pieces.
 std::size_t next_start(std::string_view bytes, std::size_t at);
 
 /// Reads bytes as lines, so that what editors and systems put into files makes no difference: LF, CRLF and CR, a

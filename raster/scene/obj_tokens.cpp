@@ -117,9 +117,9 @@ bool has_plain_corners(std::string_view words) {
     const auto skip_index = [&] {
         if (at != end && (*at == '-' || *at == '+')) ++at;
         const char* const first = at;
-        bool is_zero = true;
-        for (; at != end && is_digit(*at); ++at) is_zero = is_zero && *at == '0';
-        return !is_zero && at - first <= 9;
+        if (at != end && *at == '0') return false;
+        while (at != end && is_digit(*at)) ++at;
+        return at != first && at - first <= 9;
     };
     while (at != end) {
         if (!skip_index()) return false;

@@ -31,8 +31,9 @@ struct CornerWord {
 };
 CornerWord parse_corner(std::string_view word);
 
-/// Whether the words are corners that parse_corner finds nothing to say about: well-formed, with good indices of at most
-/// 9 digits, and no slash at their ends. Quick, for most faces are so. The first word starts at once.
+/// Whether the words are corners that parse_corner finds nothing to say about: well-formed, with good indices of at
+/// most 9 digits without leading zeros, and no slash at their ends. Quick, for most faces are so. The first word starts
+/// at once.
 bool has_plain_corners(std::string_view words);
 
 /// A statement without the comment at its end, which starts with # after a blank.

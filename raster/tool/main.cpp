@@ -69,7 +69,9 @@ int run(int argc, char** argv) {
         CLI::App* command = app.add_subcommand(commands[i].name, commands[i].summary);
         command->get_option("--help")->group("Other flags");
         command->footer("");
-        runs[i] = commands[i].add(*command);
+        // A command that no argument names needs no flags; to describe them all takes longer than a small picture.
+        if (std::find(argv, argv + argc, std::string_view(commands[i].name)) != argv + argc)
+            runs[i] = commands[i].add(*command);
     }
 
     const auto chosen = [&]() -> const CLI::App* {
