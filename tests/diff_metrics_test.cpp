@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -162,6 +164,19 @@ double ssim_by_the_paper(const Image8& a, const Image8& b) {
 
 double ssim_of(const Image8& a, const Image8& b) {
     return mean_ssim(a, b, DifferingCells(metrics_of(a, b).deltas));
+}
+
+TEST(PlainMetrics, MemoryThatFitsIsUsedAndOtherIsNot) {
+    Image8 a(30, 20, 3, 7), b = a;
+    b.pixel(4, 5)[1] = 9;
+    const ImageF deltas = raster::plain_metrics(a, b, 600).deltas;
+    for (const std::size_t size : {0u, 599u, 600u, 601u}) {
+        std::vector<float> zeros(size);
+        const float* const memory = zeros.data();
+        const auto metrics = raster::plain_metrics(a, b, 600, std::move(zeros));
+        EXPECT_EQ(metrics.deltas, deltas) << size;
+        EXPECT_EQ(metrics.deltas.samples.data() == memory, size == 600) << size;
+    }
 }
 
 TEST(Ssim, IsWhatThePaperSays) {

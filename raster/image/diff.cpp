@@ -43,7 +43,8 @@ Diff named_failure(Verdict verdict, std::string reason) {
     return diff;
 }
 
-Result<Diff> compare(const AnyImage& expected_as_read, const AnyImage& actual_as_read, const DiffOptions& options) {
+Result<Diff> compare(const AnyImage& expected_as_read, const AnyImage& actual_as_read, const DiffOptions& options,
+                     std::vector<float> zeros) {
     const Shape e = shape_of(expected_as_read), a = shape_of(actual_as_read);
     for (const Shape& shape : {e, a})
         if (shape.width < 1 || shape.height < 1 || shape.channels < 1 || shape.channels > 4)
@@ -87,7 +88,7 @@ Result<Diff> compare(const AnyImage& expected_as_read, const AnyImage& actual_as
         actual = &adapted_actual;
     }
 
-    PlainMetrics plain_figures = plain(*expected, *actual, figures.compared);
+    PlainMetrics plain_figures = plain(*expected, *actual, figures.compared, std::move(zeros));
     figures.differing = plain_figures.differing;
     figures.max = plain_figures.max, figures.max_x = plain_figures.max_x, figures.max_y = plain_figures.max_y;
     figures.mean = plain_figures.mean, figures.rms = plain_figures.rms, figures.psnr = plain_figures.psnr;
@@ -132,9 +133,14 @@ const char* to_string(Verdict verdict) {
 }
 
 Result<Diff> diff_images(const AnyImage& expected, const AnyImage& actual, const DiffOptions& options) {
+    return diff_steps::diff_images(expected, actual, options, {});
+}
+
+Result<Diff> diff_steps::diff_images(const AnyImage& expected, const AnyImage& actual, const DiffOptions& options,
+                                     std::vector<float> zeros) {
     if (const Status status = check(options); !status) return status.error();
     try {
-        return compare(expected, actual, options);
+        return compare(expected, actual, options, std::move(zeros));
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::input_output, "diff: not enough memory"};
     }

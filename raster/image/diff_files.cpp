@@ -2,6 +2,7 @@
 #include <raster/image/diff_files.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <map>
@@ -9,6 +10,7 @@
 #include <system_error>
 
 #include <raster/image/diff_steps.h>
+#include <raster/image/pages.h>
 #include <raster/tiles/parallel.h>
 
 namespace raster {
@@ -68,13 +70,20 @@ Result<Comparison> diff_files(const std::string& expected_path, const std::strin
         if (!sides[i]->path.empty()) problems[i] = read_picture(*sides[i]);
     });
 
+    std::vector<float> zeros;  // a pixel each
     const bool equal_bytes = !pair.expected.file.empty() && pair.expected.file == pair.actual.file;
     if (equal_bytes) {
         problems[0] = decode_picture(pair.expected);
         pair.actual.image = pair.expected.image;
     } else {
+        std::atomic<int> done = 0;
         tiles::parallel_for(2, [&](std::size_t i) {
             if (!sides[i]->path.empty() && problems[i].empty()) problems[i] = decode_picture(*sides[i]);
+            // Of two pictures, one is there first: time to get memory for what comes next.
+            if (sides[i]->image && done++ == 0) {
+                const diff_steps::Shape shape = diff_steps::shape_of(*sides[i]->image);
+                resize_whole(zeros, std::size_t(shape.width) * std::size_t(shape.height));
+            }
         });
     }
     if (const std::string problem = joined(problems[0], problems[1]); !problem.empty()) {
@@ -87,7 +96,8 @@ Result<Comparison> diff_files(const std::string& expected_path, const std::strin
         pair.diff.verdict = Verdict::added;
         pair.diff.reason = "there is no expected picture for " + actual_path;
     } else {
-        Result<Diff> diff = diff_images(*pair.expected.image, *pair.actual.image, options);
+        Result<Diff> diff =
+            diff_steps::diff_images(*pair.expected.image, *pair.actual.image, options, std::move(zeros));
         if (!diff) return diff.error();
         pair.diff = std::move(*diff);
     }

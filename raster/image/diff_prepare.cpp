@@ -111,9 +111,11 @@ AnyImage with_ignored_equal(const AnyImage& expected, AnyImage actual, const Ima
     return actual;
 }
 
-PlainMetrics plain(const AnyImage& expected, const AnyImage& actual, std::int64_t compared) {
+PlainMetrics plain(const AnyImage& expected, const AnyImage& actual, std::int64_t compared, std::vector<float> zeros) {
     return std::visit(
-        [&]<class T>(const Image<T>& held) { return plain_metrics(held, std::get<Image<T>>(actual), compared); },
+        [&]<class T>(const Image<T>& held) {
+            return plain_metrics(held, std::get<Image<T>>(actual), compared, std::move(zeros));
+        },
         expected);
 }
 

@@ -26,7 +26,11 @@ AnyImage adapted(const AnyImage& image, int bits, int channels);
 /// `actual` with the colours of `expected` where pixels do not count.
 AnyImage with_ignored_equal(const AnyImage& expected, AnyImage actual, const Image8& compared);
 
-PlainMetrics plain(const AnyImage& expected, const AnyImage& actual, std::int64_t compared);
+PlainMetrics plain(const AnyImage& expected, const AnyImage& actual, std::int64_t compared, std::vector<float> zeros);
+
+/// diff_images with `zeros` for plain_metrics.
+Result<Diff> diff_images(const AnyImage& expected, const AnyImage& actual, const DiffOptions& options,
+                         std::vector<float> zeros);
 
 /// Lowers each delta to what remains when pixels may shift by up to `radius`: the larger of the distance from the
 /// actual colour to the nearest expected one around, and the other way round.

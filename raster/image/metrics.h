@@ -28,8 +28,10 @@ struct PlainMetrics {
 /// Compares sample by sample. The pictures have one size and the same channels, and no NaN. -0 equals 0,
 /// infinity equals itself and is infinitely far from all else. `compared` is the number of pixels the means are
 /// taken over: all, unless some were made equal because they are ignored. The same for every number of threads.
+/// `zeros`, if it has one for each pixel, becomes the deltas: large memory takes its time to get.
 template <class T>
-PlainMetrics plain_metrics(const Image<T>& expected, const Image<T>& actual, std::int64_t compared);
+PlainMetrics plain_metrics(const Image<T>& expected, const Image<T>& actual, std::int64_t compared,
+                           std::vector<float> zeros = {});
 
 /// Where two pictures differ, coarsely: so that what is expensive is done only there.
 class DifferingCells {

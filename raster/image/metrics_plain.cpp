@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include <raster/image/dispatch.h>
 #include <raster/image/pages.h>
@@ -154,13 +155,18 @@ double decibels(double x) {
 }  // namespace
 
 template <class T>
-PlainMetrics plain_metrics(const Image<T>& expected, const Image<T>& actual, std::int64_t compared) {
+PlainMetrics plain_metrics(const Image<T>& expected, const Image<T>& actual, std::int64_t compared,
+                           std::vector<float> zeros) {
     PlainMetrics metrics;
     const std::size_t row_samples = std::size_t(expected.width) * std::size_t(expected.channels);
     if (!std::is_same_v<T, float> && expected.samples == actual.samples) return metrics;
 
     metrics.deltas.width = expected.width, metrics.deltas.height = expected.height, metrics.deltas.channels = 1;
-    resize_whole(metrics.deltas.samples, std::size_t(expected.width) * std::size_t(expected.height));
+    const std::size_t pixels = std::size_t(expected.width) * std::size_t(expected.height);
+    if (zeros.size() == pixels)
+        metrics.deltas.samples = std::move(zeros);
+    else
+        resize_whole(metrics.deltas.samples, pixels);
     std::vector<RowSums<T>> rows(std::size_t(expected.height));
     constexpr int rows_at_once = 16;
     tiles::parallel_for(std::size_t(expected.height + rows_at_once - 1) / rows_at_once, [&](std::size_t band) {
@@ -191,9 +197,9 @@ PlainMetrics plain_metrics(const Image<T>& expected, const Image<T>& actual, std
     return metrics;
 }
 
-template PlainMetrics plain_metrics(const Image8&, const Image8&, std::int64_t);
-template PlainMetrics plain_metrics(const Image16&, const Image16&, std::int64_t);
-template PlainMetrics plain_metrics(const ImageF&, const ImageF&, std::int64_t);
+template PlainMetrics plain_metrics(const Image8&, const Image8&, std::int64_t, std::vector<float>);
+template PlainMetrics plain_metrics(const Image16&, const Image16&, std::int64_t, std::vector<float>);
+template PlainMetrics plain_metrics(const ImageF&, const ImageF&, std::int64_t, std::vector<float>);
 
 DifferingCells::DifferingCells(const ImageF& deltas)
     : columns_((deltas.width + cell - 1) / cell),
