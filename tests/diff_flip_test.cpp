@@ -16,6 +16,7 @@
 
 #include <raster/image/diff.h>
 #include <raster/image/diff_picture.h>
+#include <raster/testing/matchers.h>
 
 #include "random.h"
 

@@ -7,6 +7,7 @@
 #include <raster/image/png.h>
 #include <raster/step/stage_pictures.h>
 #include <raster/scene/shapes.h>
+#include <raster/testing/matchers.h>
 
 namespace {
 

@@ -2,6 +2,7 @@
 #include <raster/image/decode.h>
 #include <raster/image/png.h>
 #include <raster/image/png_runs.h>
+#include <raster/testing/matchers.h>
 
 #include <libdeflate.h>
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <raster/image/decode.h>
+#include <raster/testing/matchers.h>
 
 #include "image_testing.h"
 

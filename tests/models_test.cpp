@@ -11,6 +11,7 @@
 #include <raster/image/file.h>
 #include <raster/math.h>
 #include <raster/scene/obj.h>
+#include <raster/testing/matchers.h>
 
 #include "random.h"
 

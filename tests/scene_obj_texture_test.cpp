@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include <raster/image/png.h>
+#include <raster/testing/matchers.h>
 
 #include "scene_obj_testing.h"
 
