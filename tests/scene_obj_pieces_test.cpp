@@ -1,4 +1,4 @@
-// scene_obj_pieces_test.cpp: a text read in pieces gives the same as read from its start to its end.
+// scene_obj_pieces_test.cpp: a text read in pieces, or many lines at once, gives the same as read line by line.
 #include <raster/scene/obj_parse.h>
 
 #include <cstring>
@@ -206,6 +206,35 @@ TEST(ObjPieces, AreReadAsTheWholeIs) {
     EXPECT_GT(errors, 300);
     EXPECT_GT(warnings, 300);
     EXPECT_GT(plain, 300);
+}
+
+/// With a blank before each line, which means the same but is not the form that is read many lines at once.
+std::string indented(const std::string& text) {
+    std::string result;
+    bool at_start = !text.starts_with("\xef\xbb\xbf");
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (at_start) result += ' ';
+        result += text[i];
+        at_start = text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n");
+    }
+    return result;
+}
+
+TEST(ObjPieces, ManyPlainLinesAtOnceAreReadAsOneByOne) {
+    Random random(52);
+    int errors = 0;
+    for (int round = 0; round < 3000; ++round) {
+        const std::string text = Writer(random).write(random.integer(1, 300));
+        ObjOptions options;
+        options.strict = random.integer(0, 4) == 0;
+        if (random.integer(0, 9) == 0) options.max_triangles = std::size_t(random.integer(1, 100));
+        if (random.integer(0, 9) == 0) options.max_line_bytes = std::size_t(random.integer(25, 90));
+        const Read read_whole = read(text, options, nullptr, SIZE_MAX / 32);
+        ASSERT_EQ(difference(read_whole, read(indented(text), options, nullptr, SIZE_MAX / 32)), "") << text;
+        errors += !read_whole.error.empty();
+    }
+    EXPECT_GT(errors, 300);
+    EXPECT_LT(errors, 2700);
 }
 
 TEST(ObjPieces, MoreThanAHundredKindsOfWarningsAreCountedInOrder) {

@@ -109,6 +109,10 @@ void Collector::face(std::span<const Corner> corners) {
         return log_.fail(here_, "more triangles than the limit of " + std::to_string(options_.max_triangles));
     const bool may_be_below = start_ == Start::in_between;
     for (const Corner& c : corners) {
+        if (c.position > 0 && c.uv >= 0 && c.normal >= 0) {  // as in most files
+            data_.corners.push_back({c.position - 1, c.uv - 1, c.normal - 1});
+            continue;
+        }
         const std::int64_t p = resolve(c.position, data_.positions.size(), 0, lowest_.position);
         if (p < 0 && !(may_be_below && c.position < 0))
             return log_.fail(here_, "vertex " + std::to_string(c.position) + " does not exist: " +

@@ -28,8 +28,8 @@ std::size_t next_start(std::string_view bytes, std::size_t at);
 
 /// Reads bytes as lines, so that what editors and systems put into files makes no difference: LF, CRLF and CR, a
 /// byte-order mark, blanks at the ends, a last line without end, a backslash that continues a line on the next.
-/// Empty lines and comments are left out; a comment cannot be continued (`C:/textures/` with backslashes at its end is common). Zero
-/// bytes become blanks. Takes linear time whatever the bytes are. `bytes` is not copied.
+/// Empty lines and comments are left out; a comment cannot be continued (`C:/textures/` with backslashes at its end is
+/// common). Zero bytes become blanks. Takes linear time whatever the bytes are. `bytes` is not copied.
 class LineReader {
 public:
     /// The lines are counted on from `lines_before`.
@@ -38,7 +38,13 @@ public:
     /// Goes to the next statement. False at the end, or at a line that is too long.
     bool next();
 
-    std::string_view text() const { return text_; }  ///< not empty; valid until next() is called
+    std::string_view text() const { return text_; }               ///< not empty; valid until next() is called
+    std::string_view rest() const { return bytes_.substr(at_); }  ///< what is not read yet
+    /// Passes over the first `bytes` of the rest, whole lines, as if they had been read.
+    void skip(std::size_t bytes, std::size_t lines) {
+        at_ += bytes;
+        lines_taken_ += lines;
+    }
     std::size_t line() const { return line_; }       ///< where the statement starts, from 1
     std::size_t position() const { return at_; }     ///< bytes read so far
     std::size_t lines_taken() const { return lines_taken_; }

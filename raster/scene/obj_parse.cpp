@@ -12,7 +12,7 @@
 
 #include <raster/scene/obj_lines.h>
 #include <raster/scene/obj_statements.h>
-#include <raster/tiles/parallel.h>
+#include <raster/tiles/concurrency.h>
 
 namespace raster::obj {
 namespace {
@@ -70,7 +70,7 @@ public:
         for (std::size_t first = 0; first < pieces.size() && !log_.failed(); first += at_once) {
             std::vector<std::unique_ptr<Ahead>> ahead(std::min(at_once, pieces.size() - first));
             tell_progress(pieces[first].data());
-            if (pieces.size() > 1)
+            if (pieces.size() > 1 && tiles::has_several_threads())
                 tiles::parallel_for(ahead.size(), [&](std::size_t i) {
                     const std::string_view text = pieces[first + i];
                     if (text.size() <= longest) ahead[i] = read_ahead(text, file_, options_);

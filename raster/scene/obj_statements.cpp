@@ -1,8 +1,8 @@
 // obj_statements.cpp: tinyobjloader reads the text, from a stream that checks each statement before handing it over.
 //
 // tinyobjloader tells statements apart and takes them to pieces. By itself it says nothing of bad numbers and
-// indices, does not know the line, and opens whatever a file names; so it gets one clean statement at a time, and
-// while it calls back about it, the checked numbers and the line of this statement are at hand.
+// indices, does not know the line, and opens whatever a file names; so it gets clean statements only, and while it
+// calls back about one, the checked numbers and the line of this statement are at hand.
 #include <raster/scene/obj_statements.h>
 
 #include <algorithm>
@@ -23,12 +23,16 @@ constexpr std::string_view unused_statements[] = {
     "scrv",       "sp",        "end",   "con",   "mg",   "bevel", "c_interp", "d_interp", "lod",  "maplib", "usemap",
     "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",   "bzp",      "bsp",      "cdc",  "cdp",    "res"};
 
+// Stands where numbers stood, which are read already, see parse_number.
+constexpr std::string_view no_numbers = " \n";
+
 std::string join(std::string_view a, std::string_view b) { return std::string(a) + std::string(b); }
 
 class Parser final : public std::streambuf, public tinyobj::MaterialReader {
 public:
     Parser(const Piece& piece, const ObjOptions& options, MaterialFiles* material_files, Collector& collect, Log& log)
         : lines_(piece.text, options.max_line_bytes, piece.lines_before),
+          max_line_bytes_(options.max_line_bytes),
           progress_step_(piece.text.size() / 64),
           progress_(piece.progress),
           material_files_(material_files),
@@ -37,9 +41,15 @@ public:
 
     PieceRead run() {
         tinyobj::callback_t callbacks;
-        callbacks.vertex_cb = [](void* p, float, float, float, float) { self(p).collect_.position(self(p).numbers_); };
-        callbacks.texcoord_cb = [](void* p, float, float, float) { self(p).collect_.uv(self(p).numbers_); };
-        callbacks.normal_cb = [](void* p, float, float, float) { self(p).collect_.normal(self(p).numbers_); };
+        callbacks.vertex_cb = [](void* p, float, float, float, float) {
+            if (const Numbers* n = self(p).next_numbers()) self(p).collect_.position(*n);
+        };
+        callbacks.texcoord_cb = [](void* p, float, float, float) {
+            if (const Numbers* n = self(p).next_numbers()) self(p).collect_.uv(*n);
+        };
+        callbacks.normal_cb = [](void* p, float, float, float) {
+            if (const Numbers* n = self(p).next_numbers()) self(p).collect_.normal(*n);
+        };
         callbacks.index_cb = [](void* p, tinyobj::index_t* corners, int count) { self(p).face(corners, count); };
         callbacks.usemtl_cb = [](void* p, const char* name, int) { self(p).collect_.material(name); };
         callbacks.group_cb = [](void* p, const char** names, int count) { self(p).group(names, count); };
@@ -62,23 +72,62 @@ private:
     // ------------------------------------------------------------------------ the stream that is handed over
 
     int_type underflow() override {
-        while (!log_.failed() && lines_.next()) {
-            collect_.set_line(lines_.line());
+        while (!log_.failed()) {
             tell_progress();
-            if (!prepare(lines_.text())) continue;
-            statement_ += '\n';
-            setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
-            return traits_type::to_int_type(statement_.front());
+            called_back_ = 0;
+            numbers_.clear();
+            first_line_ = lines_.lines_taken() + 1;
+            std::string_view statements = take_plain_lines();
+            if (statements.empty()) {
+                if (!lines_.next()) break;
+                first_line_ = lines_.line();
+                collect_.set_line(first_line_);
+                if (!prepare(lines_.text())) continue;
+                statements = statement_ += '\n';
+            }
+            char* const start = const_cast<char*>(statements.data());  // only read
+            setg(start, start, start + statements.size());
+            return traits_type::to_int_type(*start);
         }
         return traits_type::eof();
+    }
+
+    /// What tinyobjloader shall see of the next lines, if they are numbers or corners in the plain form that most lines
+    /// have; as many of one kind as follow each other. Empty if the next line is another.
+    std::string_view take_plain_lines() {
+        const std::string_view rest = lines_.rest();
+        if (rest.empty() || (rest.front() != 'v' && rest.front() != 'f')) return {};
+        const char kind = rest.front();
+        const char *line = rest.data(), *const end = line + rest.size();
+        statement_.clear();
+        std::size_t lines = 0;
+        for (constexpr std::size_t most = 128; lines < most; ++lines) {
+            const std::ptrdiff_t key = kind == 'v' && end - line > 2 && (line[1] == 't' || line[1] == 'n') ? 2 : 1;
+            if (end - line <= key || *line != kind || !is_blank(line[key])) break;
+            const char* at = line + key;
+            while (at != end && is_blank(*at)) ++at;
+            Numbers numbers;
+            at = kind == 'f' ? skip_plain_corners(at, end) : read_plain_numbers(at, end, numbers);
+            if (!at) break;
+            if (end - at > 1 && *at == '\r') ++at;
+            if (at == end || *at != '\n' || std::size_t(at - line) > max_line_bytes_) break;
+            if (kind == 'v') {
+                numbers_.push_back(numbers);
+                statement_.append(line, std::size_t(key)).append(no_numbers);
+            }
+            line = at + 1;
+        }
+        const std::string_view taken = rest.substr(0, std::size_t(line - rest.data()));
+        lines_.skip(taken.size(), lines);
+        return kind == 'v' ? std::string_view(statement_) : taken;
     }
 
     /// Makes statement_ what tinyobjloader shall see. False if it need not see it.
     bool prepare(std::string_view text) {
         const std::string_view key = next_word(text);
         if (key == "v" || key == "vt" || key == "vn") {
-            numbers_ = parse_numbers(without_comment(text));
-            (statement_ = key) += " 0";  // the numbers are read already, see parse_number
+            numbers_.push_back(parse_numbers(without_comment(text)));
+            statement_ = join(key, " ");
         } else if (key == "f") {
             prepare_face(without_comment(text));
         } else if (key == "usemtl" || key == "o") {
@@ -140,10 +189,19 @@ private:
 
     // ------------------------------------------------------------------------------ what tinyobjloader found
 
+    /// Goes to the statement that is called back about. False after an error.
+    bool go_on() {
+        collect_.set_line(first_line_ + called_back_++);
+        return !log_.failed();
+    }
+
+    const Numbers* next_numbers() { return go_on() ? &numbers_[called_back_ - 1] : nullptr; }
+
     void face(const tinyobj::index_t* corners, int count) {
-        corners_.clear();
-        for (int i = 0; i < count; ++i)
-            corners_.push_back({corners[i].vertex_index, corners[i].texcoord_index, corners[i].normal_index});
+        if (!go_on()) return;
+        corners_.resize(std::size_t(count));
+        for (std::size_t i = 0; i < corners_.size(); ++i)
+            corners_[i] = {corners[i].vertex_index, corners[i].texcoord_index, corners[i].normal_index};
         collect_.face(corners_);
     }
 
@@ -171,6 +229,7 @@ private:
     }
 
     LineReader lines_;
+    const std::size_t max_line_bytes_;
     const std::size_t progress_step_;
     const std::function<void(std::size_t)>& progress_;
     MaterialFiles* const material_files_;
@@ -178,8 +237,11 @@ private:
     Collector& collect_;
     PieceRead read_;
 
-    std::string statement_;  ///< what tinyobjloader reads at present
-    Numbers numbers_;        ///< of that statement
+    // What tinyobjloader reads at present: one statement, or some of one kind in lines that follow each other.
+    std::string statement_;         ///< their text, if it is not that of the file
+    std::vector<Numbers> numbers_;  ///< theirs
+    std::size_t first_line_ = 0;    ///< of the first
+    std::size_t called_back_ = 0;   ///< about how many of them
     std::string_view mtllib_names_;
     std::vector<Corner> corners_;
     std::size_t next_progress_ = 0;

@@ -16,6 +16,8 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
 /// Whether a number beyond the range of double is a large one. Its decimal exponent tells: that of its first
 /// digit that is not 0, and the exponent it is written with.
 bool is_large(std::string_view number) {
@@ -42,7 +44,7 @@ CornerWord::Index check_index(std::string_view part) {
                                                                                          : CornerWord::Index::bad;
 }
 
-/// Reads [sign] digits [. digits] up to a blank or the end, as most files have their numbers. Null if what stands there
+/// Reads [sign] digits [. digits] up to a blank or an end, as most files have their numbers. Null if what stands there
 /// is another number, or none; else the end.
 ///
 /// With at most 15 digits both the digits as a whole number and the power of ten are exact in double, and the quotient
@@ -64,7 +66,7 @@ const char* read_plain_number(const char* at, const char* end, float& value) {
         decimals = at - point - 1;
         count += decimals;
     }
-    if (count == 0 || count > 15 || (at != end && !is_blank(*at))) return nullptr;
+    if (count == 0 || count > 15 || (at != end && !is_blank(*at) && !is_line_end(*at))) return nullptr;
     const double quotient = double(digits) / powers_of_ten[decimals];
     constexpr std::uint64_t below_float = (std::uint64_t(1) << 29) - 1, half_way = std::uint64_t(1) << 28;
     if ((std::bit_cast<std::uint64_t>(quotient) & below_float) == half_way) return nullptr;
@@ -111,9 +113,19 @@ Numbers parse_numbers(std::string_view words) {
     }
 }
 
-bool has_plain_corners(std::string_view words) {
-    const char* at = words.data();
-    const char* const end = at + words.size();
+const char* read_plain_numbers(const char* at, const char* end, Numbers& numbers) {
+    for (;;) {
+        while (at != end && is_blank(*at)) ++at;
+        if (at == end || is_line_end(*at)) return at;
+        float value = 0;
+        at = read_plain_number(at, end, value);
+        if (!at) return nullptr;
+        if (numbers.count < 8) numbers.value[numbers.count] = value;
+        ++numbers.count;
+    }
+}
+
+const char* skip_plain_corners(const char* at, const char* end) {
     const auto skip_index = [&] {
         if (at != end && (*at == '-' || *at == '+')) ++at;
         const char* const first = at;
@@ -121,23 +133,28 @@ bool has_plain_corners(std::string_view words) {
         while (at != end && is_digit(*at)) ++at;
         return at != first && at - first <= 9;
     };
-    while (at != end) {
-        if (!skip_index()) return false;
+    do {
+        if (!skip_index()) return nullptr;
         if (at != end && *at == '/') {
             ++at;
             const bool has_uv = at != end && *at != '/';
-            if (has_uv && !skip_index()) return false;
+            if (has_uv && !skip_index()) return nullptr;
             if (at != end && *at == '/') {
                 ++at;
-                if (!skip_index()) return false;
+                if (!skip_index()) return nullptr;
             } else if (!has_uv) {
-                return false;
+                return nullptr;
             }
         }
-        if (at != end && !is_blank(*at)) return false;
+        if (at != end && !is_blank(*at) && !is_line_end(*at)) return nullptr;
         while (at != end && is_blank(*at)) ++at;
-    }
-    return !words.empty();
+    } while (at != end && !is_line_end(*at));
+    return at;
+}
+
+bool has_plain_corners(std::string_view words) {
+    const char* const end = words.data() + words.size();
+    return skip_plain_corners(words.data(), end) == end;
 }
 
 CornerWord parse_corner(std::string_view word) {

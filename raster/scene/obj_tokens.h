@@ -22,6 +22,10 @@ struct Numbers {
 };
 Numbers parse_numbers(std::string_view words);
 
+/// Reads the words up to the end of the line into `numbers`, which is empty. The end, or null if one of them has to be
+/// read by parse_number: more than 15 digits, an exponent, or no number. Quick, for most numbers are so.
+const char* read_plain_numbers(const char* at, const char* end, Numbers& numbers);
+
 /// The parts of a face's corner: 7, 7/2, 7//3 or 7/2/3.
 struct CornerWord {
     enum class Index { missing, good, bad };  ///< bad: no integer, 0, or beyond 31 bits
@@ -35,6 +39,8 @@ CornerWord parse_corner(std::string_view word);
 /// most 9 digits without leading zeros, and no slash at their ends. Quick, for most faces are so. The first word starts
 /// at once.
 bool has_plain_corners(std::string_view words);
+/// The same of the words up to the end of the line. The end, or null.
+const char* skip_plain_corners(const char* at, const char* end);
 
 /// A statement without the comment at its end, which starts with # after a blank.
 std::string_view without_comment(std::string_view text);
