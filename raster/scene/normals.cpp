@@ -90,7 +90,8 @@ public:
           face_of_(find_faces(faces)),
           within_groups_(creases.within_groups),
           // A hair of tolerance, so that 90 degrees includes the cube's.
-          least_cosine_(float(sin_cos_degrees(double(creases.angle)).cos) - 1e-6f) {
+          least_cosine_(float(sin_cos_degrees(double(creases.angle)).cos) - 1e-6f),
+          half_angle_cosine_(float(sin_cos_degrees(double(creases.angle) / 2).cos) + 1e-3f) {
         const std::size_t count = faces.ends.empty() ? faces.corners.size() / 3 : faces.ends.size();
         facets_.resize(count);
         in_chunks(count, [&](std::size_t first_face, std::size_t end_face) {
@@ -121,10 +122,16 @@ public:
             if (a.group != smoothing_by_angle && !within_groups_) return true;
             return glm::dot(a.normal, b.normal) >= least_cosine_;
         };
-        // Mostly all share with all.
+        // Mostly all share with all, and surely where all of a group are within half of the angle from the first.
         bool all_share = true;
-        for (std::size_t i = 1; i < count && all_share; ++i)
-            for (std::size_t k = 0; k < i; ++k) all_share = all_share && share(around[i], around[k]);
+        for (std::size_t i = 1; i < count; ++i)
+            all_share = all_share && around[i].group == around[0].group && around[0].group != smoothing_off &&
+                        glm::dot(around[i].normal, around[0].normal) >= half_angle_cosine_;
+        if (!all_share) {
+            all_share = true;
+            for (std::size_t i = 1; i < count && all_share; ++i)
+                for (std::size_t k = 0; k < i; ++k) all_share = all_share && share(around[i], around[k]);
+        }
         if (all_share) {
             glm::dvec3 sum(0.0);
             for (const std::uint32_t corner : corners) sum += weighted(corner);
@@ -189,6 +196,7 @@ private:
     std::vector<Facet> facets_;           ///< a face
     bool within_groups_;
     float least_cosine_;
+    float half_angle_cosine_;  ///< of a little less than half: rounding does not matter
 };
 
 }  // namespace
