@@ -1,4 +1,4 @@
-// png.cpp: filters and chunks around libdeflate; the one place that holds stb_image_write.
+// png.cpp: stb_image_write, with libdeflate or pack_runs behind its hook; and what it does not write.
 #include <raster/image/png.h>
 
 #include <libdeflate.h>
@@ -9,10 +9,13 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <span>
+#include <utility>
 
 #include <raster/image/limits.h>
 #include <raster/image/malloc_block.h>
 #include <raster/image/png_runs.h>
+#include <raster/tiles/parallel.h>
 
 namespace raster {
 namespace {
@@ -24,8 +27,27 @@ namespace {
 constexpr int deflate_level = 1;
 constexpr int filter_up = 2;
 
+/// Of the picture that this thread has stb write the fast way.
+struct FastRows {
+    std::size_t row_bytes;
+    int pixel_bytes;
+};
+thread_local const FastRows* fast_rows = nullptr;
+
+/// pack_runs, for stb.
+unsigned char* compress_fast(std::span<const unsigned char> rows, FastRows fast, int* compressed_size) try {
+    const Bytes packed = pack_runs(rows, fast.row_bytes, fast.pixel_bytes);
+    auto* const block = static_cast<unsigned char*>(std::malloc(packed.size()));
+    if (block) std::memcpy(block, packed.data(), packed.size());
+    *compressed_size = int(packed.size());
+    return block;
+} catch (const std::bad_alloc&) {  // stb could not free its memory if it passed through
+    return nullptr;
+}
+
 /// `size` bytes as a zlib stream (RFC 1950), or nullptr when memory is short. Has the form stb expects.
 unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int /*stb's level*/) {
+    if (fast_rows) return compress_fast({data, std::size_t(size)}, *fast_rows, compressed_size);
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(deflate_level), libdeflate_free_compressor);
     if (!compressor) return nullptr;
@@ -94,14 +116,6 @@ std::array<std::uint8_t, 13> image_header(int width, int height, int bit_depth, 
             byte(height, 24), byte(height, 16), byte(height, 8), byte(height, 0),
             std::uint8_t(bit_depth), color_type,
             0, 0, 0};  // deflate, adaptive filters, not interlaced
-}
-
-Bytes whole_file(const std::array<std::uint8_t, 13>& header, const Bytes& packed) {
-    PngFile file{packed.size()};
-    file.chunk("IHDR", header.data(), header.size());
-    file.chunk("IDAT", packed.data(), packed.size());
-    file.chunk("IEND", nullptr, 0);
-    return file.take();
 }
 
 /// Rows of big-endian samples, each byte less the one above it, each row led by its filter's number.
@@ -179,45 +193,38 @@ Status check_image(const PackedImage& image) {
     return Done{};
 }
 
-Result<Bytes> encode_png_fast(const Image8& image) {
-    if (const Status status = check_image(image); !status) return status.error();
-    try {
-        return whole_file(image_header(image.width, image.height, 8, color_types[image.channels - 1]),
-                          pack_runs(image, RowFilter::up));
-    } catch (const std::bad_alloc&) {
-        return no_memory();
-    }
-}
-
-Result<Bytes> encode_png_fast(const PackedImage& image) {
-    if (const Status status = check_image(image); !status) return status.error();
-    const std::size_t width = std::size_t(image.width), channels = image.has_alpha ? 4 : 3;
-    const auto read = [&](int y, std::uint8_t* row) {
-        const std::uint32_t* pixel = image.pixels.data() + std::size_t(y) * width;
-        const std::uint32_t* const end = pixel + width;
+Image8 unpacked(const PackedImage& image) {
+    Image8 result(image.width, image.height, image.has_alpha ? 4 : 3);
+    tiles::parallel_for(std::size_t(image.height), [&](std::size_t y) {
+        const std::uint32_t* pixel = image.pixels.data() + y * std::size_t(image.width);
+        const std::uint32_t* const last = pixel + image.width - 1;
+        std::uint8_t* to = result.pixel(0, int(y));
+        // What is written behind a pixel is overwritten by the next ones.
 #if defined(__SSSE3__)  // has one instruction for this
         using Pixels = std::uint8_t __attribute__((vector_size(16)));
-        for (; channels == 3 && end - pixel >= 4; pixel += 4, row += 12) {
+        for (; result.channels == 3 && last - pixel > 4; pixel += 4, to += 12) {
             Pixels four;
             std::memcpy(&four, pixel, sizeof four);
             four = __builtin_shufflevector(four, four, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
-            std::memcpy(row, &four, sizeof four);
+            std::memcpy(to, &four, sizeof four);
         }
 #endif
-        for (; pixel != end; ++pixel) {
-            // Of RGB the fourth is overwritten by the next pixel.
+        for (; pixel != last; ++pixel, to += result.channels) {
             const std::uint8_t bytes[] = {std::uint8_t(*pixel), std::uint8_t(*pixel >> 8), std::uint8_t(*pixel >> 16),
                                           std::uint8_t(*pixel >> 24)};
-            std::memcpy(row, bytes, 4);
-            row += channels;
+            std::memcpy(to, bytes, 4);
         }
-    };
-    try {
-        return whole_file(image_header(image.width, image.height, 8, color_types[channels - 1]),
-                          pack_runs({channels * width, image.height, int(channels), read}, RowFilter::up));
-    } catch (const std::bad_alloc&) {
-        return no_memory();
-    }
+        for (int c = 0; c < result.channels; ++c) to[c] = std::uint8_t(*last >> (8 * c));
+    });
+    return result;
+}
+
+Result<Bytes> encode_png_fast(const Image8& image) {
+    const FastRows rows{1 + std::size_t(image.width) * std::size_t(image.channels), image.channels};
+    const FastRows* const before = std::exchange(fast_rows, &rows);
+    Result<Bytes> bytes = encode_png(image);
+    fast_rows = before;
+    return bytes;
 }
 
 Result<Bytes> encode_png(const IndexedImage& image) {

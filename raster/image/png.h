@@ -30,6 +30,9 @@ struct PackedImage {
 /// Whether it can be written, as check_image of limits.h tells of others.
 Status check_image(const PackedImage& image);
 
+/// RGB, or RGBA where it has alpha. Made on all threads. Throws std::bad_alloc.
+Image8 unpacked(const PackedImage& image);
+
 /// A PNG file (https://www.w3.org/TR/png/) of 1 to 4 channels: grey, grey and alpha, RGB, RGBA. Samples are
 /// stored as given: no alpha is added, dropped or multiplied, no gamma applied, and no colour space named, so
 /// viewers will take them for sRGB. The same samples give the same bytes (under one version of libdeflate).
@@ -39,7 +42,6 @@ Result<Bytes> encode_png(const Image16& image);
 /// The same picture, packed fast, by runs of bytes and pixels only and on all threads: 3 to 8 ms on two cores where
 /// encode_png takes 20 to 30, for 0.95 to 1.5 times the bytes (pictures of 1920x1080).
 Result<Bytes> encode_png_fast(const Image8& image);
-Result<Bytes> encode_png_fast(const PackedImage& image);
 /// A third of the bytes of RGB to pack, by the fast way. Every index has its colour.
 Result<Bytes> encode_png(const IndexedImage& image);
 

@@ -56,10 +56,6 @@ bool same_32(const std::uint8_t* a, const std::uint8_t* b) {
     return difference == 0;
 }
 
-void subtract(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* difference, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) difference[i] = std::uint8_t(a[i] - b[i]);
-}
-
 using RunBytes = std::uint8_t __attribute__((vector_size(16)));
 using RunTokens = Token __attribute__((vector_size(32)));
 using RunMask = signed char __attribute__((vector_size(16)));
@@ -300,35 +296,24 @@ std::uint32_t joined(std::uint32_t first, std::uint32_t second, std::size_t seco
 
 }  // namespace
 
-Bytes pack_runs(const Rows& rows, RowFilter filter) {
-    const std::size_t row_bytes = rows.bytes;
-    constexpr int band_bytes = 1 << 18;
-    const int band_rows = std::max(band_bytes / int(row_bytes + 1), 1);
-    const int count = (rows.count + band_rows - 1) / band_rows;
-    std::vector<Band> bands{std::size_t(count)};
+Bytes pack_runs(std::span<const std::uint8_t> rows, std::size_t row_bytes, int pixel_bytes) {
+    constexpr std::size_t band_bytes = 1 << 18;
+    const std::size_t band_size = std::max<std::size_t>(band_bytes / row_bytes, 1) * row_bytes;
+    std::vector<Band> bands((rows.size() + band_size - 1) / band_size);
     tiles::parallel_for(bands.size(), [&](std::size_t i) {
         Band& band = bands[i];
-        const auto filter_number = std::uint8_t(filter);
-        const int first_row = int(i) * band_rows, end_row = std::min(first_row + band_rows, rows.count);
+        const auto of_band = rows.subspan(i * band_size, std::min(band_size, rows.size() - i * band_size));
         // As many as there can be; what is not written costs nothing.
-        const std::unique_ptr<Token[]> tokens(new Token[std::size_t(band_rows) * (row_bytes + 1)]);
+        const std::unique_ptr<Token[]> tokens(new Token[of_band.size()]);
         Token* end = tokens.get();
-        std::vector<std::uint8_t> row(row_bytes + slack), above(row_bytes + slack), less(row_bytes + slack);
-        if (filter == RowFilter::up && first_row > 0) rows.read(first_row - 1, above.data());
-        for (int y = first_row; y < end_row; ++y) {
-            rows.read(y, row.data());
-            std::uint8_t* filtered = row.data();
-            if (filter == RowFilter::up) {
-                filtered = less.data();
-                subtract(row.data(), above.data(), filtered, row_bytes);
-            }
-            end = find_tokens(filter_number, filtered, int(row_bytes), rows.pixel_bytes, end);
-            band.adler = libdeflate_adler32(band.adler, &filter_number, 1);
-            band.adler = libdeflate_adler32(band.adler, filtered, row_bytes);
-            band.size += row_bytes + 1;
-            row.swap(above);
+        std::vector<std::uint8_t> row(row_bytes + slack);
+        for (std::size_t at = 0; at < of_band.size(); at += row_bytes) {
+            std::memcpy(row.data(), of_band.data() + at, row_bytes);
+            end = find_tokens(row[0], row.data() + 1, int(row_bytes) - 1, pixel_bytes, end);
         }
-        band.packed = pack_tokens({tokens.get(), end}, rows.pixel_bytes);
+        band.adler = libdeflate_adler32(1, of_band.data(), of_band.size());
+        band.size = of_band.size();
+        band.packed = pack_tokens({tokens.get(), end}, pixel_bytes);
     });
     std::uint32_t adler = 1;
     std::size_t size = 0;
@@ -345,11 +330,12 @@ Bytes pack_runs(const Rows& rows, RowFilter filter) {
     return out;
 }
 
-Bytes pack_runs(const Image8& image, RowFilter filter) {
+Bytes pack_runs(const Image8& image) {
     const std::size_t bytes = std::size_t(image.width) * std::size_t(image.channels);
-    return pack_runs({bytes, image.height, image.channels,
-                      [&](int y, std::uint8_t* row) { std::memcpy(row, image.pixel(0, y), bytes); }},
-                     filter);
+    std::vector<std::uint8_t> rows((1 + bytes) * std::size_t(image.height));
+    for (int y = 0; y < image.height; ++y)
+        std::memcpy(&rows[std::size_t(y) * (1 + bytes) + 1], image.pixel(0, y), bytes);
+    return pack_runs(rows, 1 + bytes, image.channels);
 }
 
 }  // namespace raster

@@ -74,16 +74,9 @@ Status write_image(const std::string& path, const PackedImage& image) {
     if (const Status status = check_image(image); !status) return status;
     const Result<OutputFormat> format = output_format(path, OutputFormat::png);
     if (!format) return format.error();
-    if (*format == OutputFormat::png) {
-        const Result<Bytes> bytes = encode_png_fast(image);
-        return bytes ? write_file(path, *bytes) : bytes.error();
-    }
     try {
-        Image8 rgb(image.width, image.height, 3);
-        std::uint8_t* out = rgb.samples.data();
-        for (const std::uint32_t pixel : image.pixels)
-            for (int c = 0; c < 3; ++c) *out++ = std::uint8_t(pixel >> (8 * c));
-        return write_image(path, rgb);
+        const bool with_alpha = image.has_alpha && *format == OutputFormat::png;
+        return write_image(path, unpacked({image.width, image.height, image.pixels, with_alpha}));
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::input_output, path + ": not enough memory to encode the picture"};
     }
