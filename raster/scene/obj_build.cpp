@@ -149,7 +149,9 @@ std::vector<glm::vec3> missing_normals(const ObjData& data, const Triangles& tri
 void index_vertices(const ObjData& data, const Triangles& triangles, const std::vector<glm::vec3>& made_normals,
                     Model& model) {
     model.indices.reserve(triangles.corners.size());
-    model.vertices.reserve(std::min(data.positions.size(), triangles.corners.size()));
+    // Some positions have several vertices, and a vector that grows leaves fresh memory behind.
+    const std::size_t positions = data.positions.size();
+    model.vertices.reserve(std::min(positions + positions / 8, triangles.corners.size()));
     Dedup<SurfaceVertex<float>> number(model.vertices, model.vertices.capacity());
     // Most corners are the vertex that their position had the last time, which takes no search. Position and colour are
     // the same then.
