@@ -163,6 +163,24 @@ inline IntPack<N> as_int(FloatPack<N> x) { return detail::bits<detail::Vector<st
 template <int N>
 inline FloatPack<N> as_float(IntPack<N> x) { return detail::bits<typename FloatPack<N>::V>(x.v); }
 
+/// Byte i of an integer, 0 the lowest: 0 to 255.
+template <int i>
+inline std::int32_t byte_of(std::int32_t x) { return x >> (8 * i) & 255; }
+template <int i, int N>
+inline IntPack<N> byte_of(IntPack<N> x) {
+    if constexpr (detail::is_pair<N>) return detail::by_halves<IntPack<N>>([](auto x) { return byte_of<i>(x); }, x);
+#if defined(__AVX2__) && RASTER_VECTOR_EXTENSIONS
+    if constexpr (N == 8 && i > 0) {
+        // One instruction for two: a shuffle of bytes, all but the lowest of each lane set to zero.
+        constexpr int zeros = int(0x80808000u);
+        const __m256i order = _mm256_set_epi32(zeros | (12 + i), zeros | (8 + i), zeros | (4 + i), zeros | i,
+                                               zeros | (12 + i), zeros | (8 + i), zeros | (4 + i), zeros | i);
+        return detail::bits<typename IntPack<N>::V>(_mm256_shuffle_epi8(detail::bits<__m256i>(x.v), order));
+    }
+#endif
+    return (x >> (8 * i)) & IntPack<N>(255);
+}
+
 inline float to_float(std::int32_t x) { return float(x); }
 template <int N>
 inline FloatPack<N> to_float(IntPack<N> x) {

@@ -109,37 +109,55 @@ inline void load3(const std::int32_t* p, IntN& a, IntN& b, IntN& c) {
     for (int i = 0; i < native_lanes; ++i) a.v[i] = p[3 * i], b.v[i] = p[3 * i + 1], c.v[i] = p[3 * i + 2];
 }
 
-/// base[index] and base[index + 1] in each lane: neighbours in memory cost one load.
-inline void gather2(const std::int32_t* base, std::int32_t index, std::int32_t& a, std::int32_t& b) {
-    a = base[index], b = base[index + 1];
+/// Two neighbours of two rows in each lane: base[index], base[index + 1], base[index + step], base[index + step + 1]. All
+/// are in range, and no index is negative. Neighbours in memory cost one load.
+inline void gather_square(const std::int32_t* base, std::int32_t index, std::ptrdiff_t step, std::int32_t& a,
+                          std::int32_t& b, std::int32_t& c, std::int32_t& d) {
+    const std::int32_t* const p = base + index;
+    a = p[0], b = p[1], c = p[step], d = p[step + 1];
 }
 template <int N>
-inline void gather2(const std::int32_t* base, IntPack<N> index, IntPack<N>& a, IntPack<N>& b) {
+inline void gather_square(const std::int32_t* base, IntPack<N> index, std::ptrdiff_t step, IntPack<N>& a,
+                          IntPack<N>& b, IntPack<N>& c, IntPack<N>& d) {
     if constexpr (detail::is_pair<N>) {
-        IntPack<N / 2> a0, b0, a1, b1;
-        gather2(base, detail::half(index, 0), a0, b0);
-        gather2(base, detail::half(index, 1), a1, b1);
-        a.v = {a0.v, a1.v}, b.v = {b0.v, b1.v};
+        IntPack<N / 2> x[2][4];
+        for (int h = 0; h < 2; ++h)
+            gather_square(base, detail::half(index, h), step, x[h][0], x[h][1], x[h][2], x[h][3]);
+        a.v = {x[0][0].v, x[1][0].v}, b.v = {x[0][1].v, x[1][1].v};
+        c.v = {x[0][2].v, x[1][2].v}, d.v = {x[0][3].v, x[1][3].v};
         return;
     }
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS
     if constexpr (N == 8) {
-        alignas(32) std::int32_t at[8];
+        alignas(32) std::uint32_t at[8];
         store_int(at, index);
-        const auto two = [&](int i) {
-            const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(base + at[i]));
-            const __m128i high = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(base + at[i + 1]));
-            return _mm_castsi128_ps(_mm_unpacklo_epi64(low, high));
+        // Without it g++ takes the lanes out of the register, which is three instructions a lane, not one.
+        asm("" : "+m"(at));
+        __m128 low[4], high[4];  // the neighbours in lanes 2 i and 2 i + 1, in the first row and in the second
+        const std::int32_t* const next = base + step;
+        for (int i = 0; i < 4; ++i) {
+            const auto two = [&](const std::int32_t* row) {
+                const __m128i even = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(row + at[2 * i]));
+                return _mm_loadh_pi(_mm_castsi128_ps(even), reinterpret_cast<const __m64*>(row + at[2 * i + 1]));
+            };
+            low[i] = two(base), high[i] = two(next);
+        }
+        const auto split = [](const __m128* row, IntPack<N>& first, IntPack<N>& second) {
+            const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(row[0]), row[2], 1);
+            const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(row[1]), row[3], 1);
+            using V = typename IntPack<N>::V;
+            first.v = detail::bits<V>(_mm256_shuffle_ps(even, odd, 0x88));
+            second.v = detail::bits<V>(_mm256_shuffle_ps(even, odd, 0xdd));
         };
-        const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(two(0)), two(4), 1);
-        const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(two(2)), two(6), 1);
-        using V = typename IntPack<N>::V;
-        a.v = detail::bits<V>(_mm256_shuffle_ps(even, odd, 0x88));
-        b.v = detail::bits<V>(_mm256_shuffle_ps(even, odd, 0xdd));
+        split(low, a, b);
+        split(high, c, d);
         return;
     }
 #endif
-    for (int i = 0; i < N; ++i) a.v[i] = base[index.v[i]], b.v[i] = base[index.v[i] + 1];
+    for (int i = 0; i < N; ++i) {
+        const std::int32_t* const p = base + index.v[i];
+        a.v[i] = p[0], b.v[i] = p[1], c.v[i] = p[step], d.v[i] = p[step + 1];
+    }
 }
 
 #if defined(__AVX__) && RASTER_VECTOR_EXTENSIONS

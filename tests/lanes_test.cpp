@@ -260,6 +260,47 @@ TYPED_TEST(Lanes, GatherFindsEachLanesOwn) {
     }
 }
 
+TYPED_TEST(Lanes, SquaresOfNeighboursAreGathered) {
+    constexpr int n = lanes<TypeParam>;
+    std::vector<std::int32_t> numbers(500);
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = int(i * 7919);
+    for (const int step : {1, 2, 20, -20}) {
+        std::array<std::int32_t, n> index;
+        for (auto& i : index) i = this->random.integer(20, 450);
+        Int<TypeParam> parts[4];
+        gather_square(numbers.data(), this->pack(index), step, parts[0], parts[1], parts[2], parts[3]);
+        for (int i = 0; i < n; ++i) {
+            const std::int32_t at = index[std::size_t(i)];
+            std::int32_t scalar[4];
+            gather_square(numbers.data(), at, step, scalar[0], scalar[1], scalar[2], scalar[3]);
+            for (int part = 0; part < 4; ++part) {
+                const std::int32_t want = numbers[std::size_t(at + part % 2 + part / 2 * step)];
+                ASSERT_EQ(lane(parts[part], i), want) << "lane " << i << ", part " << part;
+                ASSERT_EQ(scalar[part], want);
+            }
+        }
+    }
+}
+
+TYPED_TEST(Lanes, BytesOfIntegersAreTakenOut) {
+    constexpr int n = lanes<TypeParam>;
+    for (int round = 0; round < 100; ++round) {
+        std::array<std::int32_t, n> x;
+        for (auto& value : x) value = std::int32_t(std::uint32_t(this->random.bits()));
+        const auto bytes_are = [&]<int byte>(std::integral_constant<int, byte>) {
+            for (int i = 0; i < n; ++i) {
+                const std::int32_t value = x[std::size_t(i)];
+                ASSERT_EQ(lane(byte_of<byte>(this->pack(x)), i), int(std::uint32_t(value) >> (8 * byte) & 255));
+                ASSERT_EQ(byte_of<byte>(value), int(std::uint32_t(value) >> (8 * byte) & 255));
+            }
+        };
+        bytes_are(std::integral_constant<int, 0>());
+        bytes_are(std::integral_constant<int, 1>());
+        bytes_are(std::integral_constant<int, 2>());
+        bytes_are(std::integral_constant<int, 3>());
+    }
+}
+
 TYPED_TEST(Lanes, RecordsOfAnyLengthAreGatheredAndScattered) {
     constexpr int n = lanes<TypeParam>;
     std::vector<float> table(100 * 13 + 4);

@@ -139,12 +139,11 @@ inline TexelPair<F> neighbour_texels(Wrap wrap, F coordinate, std::int32_t size)
 /// A texel's channels, 0 to 1 when decoded and 0 to 255 when not; alpha 0 to 255.
 template <class F>
 inline vec<4, F> unpack_texel(const TextureView& texture, Int<F> texel) {
-    const auto byte = [&](int shift) { return (texel >> shift) & Int<F>(255); };
-    const F alpha = to_float(byte(24));
+    Int<F> r = byte_of<0>(texel), g = byte_of<1>(texel), b = byte_of<2>(texel);
+    const F alpha = to_float(byte_of<3>(texel));
     if (texture.decode)
-        return {gather(texture.decode, byte(0)), gather(texture.decode, byte(8)), gather(texture.decode, byte(16)),
-                alpha};
-    return {to_float(byte(0)), to_float(byte(8)), to_float(byte(16)), alpha};
+        return {gather(texture.decode, r), gather(texture.decode, g), gather(texture.decode, b), alpha};
+    return {to_float(r), to_float(g), to_float(b), alpha};
 }
 
 }  // namespace detail
@@ -164,19 +163,21 @@ inline vec<4, F> sample(const TextureView& texture, const vec<2, F>& uv) {
     } else {
         TexelPair<F> u = neighbour_texels(texture.wrap, uv.x, texture.width);
         TexelPair<F> v = neighbour_texels(texture.wrap, uv.y, texture.height);
-        const bool adjacent = all(u.second == u.first + Int<F>(1));  // else some lane goes around the edge
-        const auto mix = [](const vec<4, F>& a, const vec<4, F>& b, F t) { return a + (b - a) * t; };
-        const auto row_value = [&](Int<F> row) {
-            Int<F> start = (top - row) * width, first, second;
-            if (adjacent) {
-                gather2(texture.texels, start + u.first, first, second);
-            } else {
-                first = gather(texture.texels, start + u.first), second = gather(texture.texels, start + u.second);
-            }
-            return mix(unpack_texel<F>(texture, first), unpack_texel<F>(texture, second), u.weight);
+        Int<F> above = (top - v.second) * width, a, b, c, d;  // a and b below, c and d above
+        const Int<F> one(1);
+        if (all((u.second == u.first + one) & (v.second == v.first + one))) {
+            gather_square(texture.texels, above + u.first, texture.width, c, d, a, b);
+        } else {  // some lane goes around an edge, or repeats it
+            Int<F> below = (top - v.first) * width;
+            a = gather(texture.texels, below + u.first), b = gather(texture.texels, below + u.second);
+            c = gather(texture.texels, above + u.first), d = gather(texture.texels, above + u.second);
+        }
+        const auto mix = [](const vec<4, F>& x, const vec<4, F>& y, F t) { return x + (y - x) * t; };
+        const auto mix_texels = [&](Int<F> x, Int<F> y) {
+            return mix(unpack_texel<F>(texture, x), unpack_texel<F>(texture, y), u.weight);
         };
-        vec<4, F> below = row_value(v.first);
-        value = mix(below, row_value(v.second), v.weight);
+        vec<4, F> lower = mix_texels(a, b);
+        value = mix(lower, mix_texels(c, d), v.weight);
     }
     const F unit(1.0f / 255.0f);
     const F color_unit = texture.decode ? F(1) : unit;
