@@ -14,6 +14,18 @@ std::uint64_t pixels_in_target(const Target& target, int x, int y) {
     return (row * first_column) & (~std::uint64_t(0) >> (block_size * (block_size - rows)));
 }
 
+int blocks_alike(const TileBuffer& tile, const Target& target, int block) {
+    const int first = block % blocks_per_row;
+    const int whole = (target.width() - tile.x) / block_size - first;
+    if (tile.y + (block / blocks_per_row + 1) * block_size > target.height()) return 0;
+    const int most = std::min(blocks_per_row - first, whole);
+    int count = 0;
+    while (count < most && (tile.uniform >> (block + count) & 1) &&
+           tile.block_slot[block + count] == tile.block_slot[block])
+        ++count;
+    return count;
+}
+
 namespace {
 /// One bit for each pixel of a block whose slot satisfies the test.
 template <class Test>

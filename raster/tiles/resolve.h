@@ -14,6 +14,10 @@ void resolve_depth(TileBuffer& tile, Target& target, bool clear_color, bool dept
 /// The pixels of a block that belong to the target, as shade_block takes them.
 std::uint64_t pixels_in_target(const Target& target, int x, int y);
 
+/// How many blocks from this one on, to the end of its row, show the same triangle in all their pixels and lie whole in
+/// the target. `block` is uniform.
+int blocks_alike(const TileBuffer& tile, const Target& target, int block);
+
 /// The block's pixels that show a triangle.
 std::uint64_t visible_pixels(const TileBuffer& tile, int block);
 
@@ -45,8 +49,14 @@ void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Targe
         const std::uint64_t in_target = pixels_in_target(target, x, y);
         if (in_target == 0) continue;
         if (tile.uniform >> block & 1) {
-            if (const std::int32_t owner = tile.block_slot[block]; owner != 0)
+            const std::int32_t owner = tile.block_slot[block];
+            if (owner == 0) continue;
+            if (const int alike = blocks_alike(tile, target, block); alike > 0) {
+                shade_run(context.shader, planes[owner], target, x, y, alike * block_size / native_lanes);
+                block += alike - 1;
+            } else {
                 shade_block(context.shader, planes[owner], target, Blend::off, x, y, in_target);
+            }
             continue;
         }
         const std::uint64_t mask = visible_pixels(tile, block) & in_target;

@@ -197,7 +197,7 @@ inline void shade_two_rows(const S& shader, const ShadingColumn<S, FloatPair>& c
 }
 
 /// Shades pixels of one triangle in the block that begins at pixel (x, y) of the target; `mask` holds pixels of the target
-/// only. With shade_mixed the place where a draw runs its shader's fragment function.
+/// only. With shade_run and shade_mixed the place where a draw runs its shader's fragment function.
 template <HasFragment S>
 RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, Blend blend,
                                 int x, int y, std::uint64_t mask) {
@@ -231,6 +231,22 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
             shade_two_rows(shader, column, target, blend, x + c, y + row0, bits0, y + row1, bits1);
         }
     }
+}
+
+/// Shades all pixels of neighbouring blocks in a row, `packs` packs wide, that show one triangle: row by row, so that
+/// memory is written in the order of its addresses, and that of textures read so where they lie level.
+template <HasFragment S>
+RASTER_FLATTEN void shade_run(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, int x, int y,
+                              int packs) {
+    S shader = shader_in;
+    ShadingPlanes<S> planes = planes_in;
+    ShadingColumn<S, FloatN> columns[tile_size / native_lanes];
+    for (int p = 0; p < packs; ++p)
+        columns[p] = ShadingColumn<S, FloatN>(planes, to_float(IntN(x + p * native_lanes) + lane_index<FloatN>()));
+    for (int row = y; row < y + block_size; row += 2)
+        for (int p = 0; p < packs; ++p)
+            shade_two_rows(shader, twice(columns[p]), target, Blend::off, x + p * native_lanes, row,
+                           std::uint32_t(pack_bits), row + 1, std::uint32_t(pack_bits));
 }
 
 /// The triangles of a block that shows few of them, as places in a list of planes.
