@@ -47,7 +47,7 @@ TEST(Distributions, HaveTheIntegralPiOfTheirProjectedFacets) {
         constexpr int steps = 20000;
         for (int i = 0; i < steps; ++i) {
             const double a = (i + 0.5) / steps * pi / 2, weight = 2 * pi * std::sin(a) * std::cos(a) * pi / 2 / steps;
-            beckmann += weight * double(beckmann_distribution(float(std::cos(a)), float(m)));
+            beckmann += weight * double(beckmann_distribution(float(1 / std::pow(std::cos(a), 2)), float(m)));
             gaussian += weight * double(gaussian_distribution(float(std::cos(a)), float(m)));
         }
         EXPECT_NEAR(beckmann, pi, 0.001 * pi) << m;
@@ -61,7 +61,7 @@ TEST(Distributions, AreThePapersFunctionsOfTheAngle) {
         for (double a = 0; a < 1.2; a += 0.1) {
             const float cosine = float(std::cos(a));
             const double beckmann = std::exp(-std::pow(std::tan(a) / m, 2)) / (m * m * std::pow(std::cos(a), 4));
-            EXPECT_NEAR(beckmann_distribution(cosine, float(m)), beckmann, 2e-5 / m / m);
+            EXPECT_NEAR(beckmann_distribution(1 / (cosine * cosine), float(m)), beckmann, 2e-5 / m / m);
             EXPECT_NEAR(gaussian_distribution(cosine, float(m)), c * std::exp(-std::pow(a / m, 2)), 2e-5 / m / m);
         }
     }

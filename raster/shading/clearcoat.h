@@ -17,7 +17,7 @@ struct Clearcoat {
     /// pi f n l, for directions as make_half_vector has them.
     template <class F>
     F reflection(const HalfVector<F>& h) const {
-        const F lobe = facet_reflection(h, beckmann_distribution(h.n_h, m));
+        const F lobe = facet_reflection(h, beckmann_distribution(h.per_n_h_2(), m));
         return F(strength) * fresnel_dielectric(h.v_h, n) * lobe;
     }
     /// What passes on the way in and on the way out; symmetric, so that a reciprocal surface stays so.

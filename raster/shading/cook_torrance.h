@@ -34,8 +34,8 @@ struct CookTorrance {
     template <class F>
     Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
         HalfVector<F> h = make_half_vector(frame, l);
-        F d = distribution == Distribution::beckmann ? beckmann_distribution(h.n_h, m)
-                                                     : gaussian_distribution(h.n_h, m);
+        F d = distribution == Distribution::beckmann ? beckmann_distribution(h.per_n_h_2(), m)
+                                                     : gaussian_distribution(h.n_h(), m);
         if (denominator == Denominator::pi) d = d * 4.0f;
         vec<3, F> reflected = fresnel(h.v_h);
         return {grey(max(h.n_l, F(0))), reflected * facet_reflection(h, d)};

@@ -14,10 +14,10 @@ template <class F>
 inline F fresnel_dielectric(F c, float n) {
     const F g2 = c * c + F(n * n - 1.0f);  // (n cos of the refracted ray)^2
     const F g = sqrt(max(g2, F(0)));
-    const F s = (g - c) / max(g + c, F(1e-20f));
-    // The parallel part over the perpendicular one, of which the first denominator vanishes at n = c = 1 only.
-    const F ratio = (c * (g + c) - 1.0f) / max(c * (g - c) + 1.0f, F(1e-20f));
-    return select(g2 > F(0), min(F(0.5f) * s * s * (F(1) + ratio * ratio), F(1)), F(1));
+    // The perpendicular amplitude is (g - c) / (g + c), the parallel one over it a / b: one division for all three.
+    const F a = c * (g + c) - 1.0f, b = c * (g - c) + 1.0f;
+    const F s = (g - c) / max((g + c) * b, F(1e-20f));
+    return select(g2 > F(0), min(F(0.5f) * s * s * (a * a + b * b), F(1)), F(1));
 }
 
 /// A conductor of the complex index n + ik, exactly; with k = 0 a dielectric.
@@ -27,10 +27,9 @@ inline F fresnel_conductor(F c, float n, float k) {
     const F t0 = F(n * n - k * k) - s2;
     const F a2_b2 = sqrt(t0 * t0 + F(4 * n * n * k * k));
     const F a = sqrt(max(F(0.5f) * (a2_b2 + t0), F(0)));
-    const F perpendicular = (a2_b2 + c2 - F(2) * a * c) / max(a2_b2 + c2 + F(2) * a * c, F(1e-20f));
-    const F t3 = c2 * a2_b2 + s2 * s2, t4 = F(2) * a * c * s2;
-    const F parallel = perpendicular * ((t3 - t4) / max(t3 + t4, F(1e-20f)));
-    return clamp(F(0.5f) * (perpendicular + parallel), F(0), F(1));
+    const F t1 = a2_b2 + c2, t2 = F(2) * a * c, t3 = c2 * a2_b2 + s2 * s2, t4 = t2 * s2;
+    // The perpendicular part is (t1 - t2) / (t1 + t2), the parallel one that times (t3 - t4) / (t3 + t4). Half their sum:
+    return clamp((t1 - t2) * t3 / max((t1 + t2) * (t3 + t4), F(1e-20f)), F(0), F(1));
 }
 
 /// The same where n^2 + k^2 is much larger than 1, as courses print it. It is off by 0.01 for gold at most, and wrong

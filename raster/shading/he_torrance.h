@@ -30,7 +30,7 @@ struct HeTorrance {
     Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
         HalfVector<F> h = make_half_vector(frame, l);
         const F n_l = clamp(h.n_l, F(1e-7f), F(1)), n_v = clamp(h.n_v, F(1e-7f), F(1));
-        const F sum = n_l + n_v, length2 = max(F(4) * h.v_h * h.v_h, F(1e-12f));  // of l + v; n (l + v) is the sum
+        const F sum = n_l + n_v, length2 = F(4) * h.v_h_2;  // of l + v; n (l + v) is the sum
         const float shape = tau / (2.0f * max(sigma, 1e-6f));
         const F shadowing = he_torrance::smith(n_l, shape) * he_torrance::smith(n_v, shape);
         const F tilt = max(length2 - sum * sum, F(0));

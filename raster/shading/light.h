@@ -136,6 +136,18 @@ struct Lit {
     vec<3, F> diffuse, specular;
 };
 
+/// The light, where a scene has only one and that is directional: the most usual case, which needs no positions.
+inline const EyeLight* only_directional(std::span<const EyeLight> lights) {
+    return lights.size() == 1 && lights[0].kind == LightKind::directional ? lights.data() : nullptr;
+}
+
+/// The reflectance model evaluated for a directional light.
+template <class Model, class F>
+inline Lit<F> illuminate_from_afar(const Model& model, const EyeLight& light, const Frame<F>& frame) {
+    Reflectance<F> value = model.evaluate(frame, vec<3, F>(-light.direction_eye));
+    return {value.diffuse * light.diffuse, value.specular * light.specular};
+}
+
 namespace detail {
 /// The sums for lights of any number and kind.
 template <class Model, class F>
@@ -156,12 +168,7 @@ RASTER_ONE_CALL Lit<F> illuminate_by_all(const Model& model, std::span<const Eye
 template <class Model, class F>
 inline Lit<F> illuminate(const Model& model, std::span<const EyeLight> lights, const Frame<F>& frame,
                          const vec<3, F>& position_eye) {
-    // One directional light, the most usual: sums stay in registers, and positions need not be interpolated.
-    if (lights.size() == 1 && lights[0].kind == LightKind::directional) [[likely]] {
-        const EyeLight& light = lights[0];
-        Reflectance<F> value = model.evaluate(frame, vec<3, F>(-light.direction_eye));
-        return {value.diffuse * light.diffuse, value.specular * light.specular};
-    }
+    if (const EyeLight* light = only_directional(lights)) [[likely]] return illuminate_from_afar(model, *light, frame);
     // Copies, so that the others stay in registers.
     Frame<F> its_frame = frame;
     vec<3, F> its_position = position_eye;

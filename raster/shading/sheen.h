@@ -14,7 +14,7 @@ struct Sheen {
     /// pi f n l, for directions as make_half_vector has them.
     template <class F>
     F reflection(const HalfVector<F>& h) const {
-        const F sin2 = F(1) - h.n_h * h.n_h;
+        const F sin2 = F(1) - h.n_h_2();
         const F sum = max(h.n_l + h.n_v - h.n_l * h.n_v, F(1e-6f));
         return select(h.above, F(0.75f * strength) * sin2 * sin2 * h.n_l / sum, F(0));
     }

@@ -56,7 +56,7 @@ struct Subsurface {
         const F cos_l = sqrt(F(1) - (F(1) - n_l * n_l) * per_n2), cos_v = sqrt(F(1) - (F(1) - n_v * n_v) * per_n2);
         const F single = F(0.25f) / max(cos_l + cos_v, F(1e-6f));
         vec<3, F> f = vec<3, F>(diffuse_reflectance()) + vec<3, F>(albedo()) * single;
-        const F boundary = fresnel_dielectric(h.v_h, n) * facet_reflection(h, gaussian_distribution(h.n_h, m));
+        const F boundary = fresnel_dielectric(h.v_h, n) * facet_reflection(h, gaussian_distribution(h.n_h(), m));
         return {f * select(h.above, passing * n_l, F(0)), grey(boundary)};
     }
 };

@@ -20,7 +20,7 @@ struct TorranceSparrow {
     Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
         HalfVector<F> h = make_half_vector(frame, l);
         vec<3, F> reflected = fresnel(h.v_h);
-        return {grey(max(h.n_l, F(0))), reflected * facet_reflection(h, gaussian_distribution(h.n_h, m))};
+        return {grey(max(h.n_l, F(0))), reflected * facet_reflection(h, gaussian_distribution(h.n_h(), m))};
     }
 };
 

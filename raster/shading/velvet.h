@@ -20,7 +20,7 @@ struct Velvet {
     template <class F>
     Reflectance<F> evaluate(const Frame<F>& frame, const vec<3, F>& l) const {
         HalfVector<F> h = make_half_vector(frame, l);
-        const F cos2 = h.n_h * h.n_h, sin2 = max(F(1) - cos2, F(1e-4f));
+        const F cos2 = h.n_h_2(), sin2 = max(F(1) - cos2, F(1e-4f));
         const F fibres = F(4) * raster::exp(cos2 / sin2 * (-1.0f / (m * m))) / (sin2 * sin2);
         const F d = (F(1) + fibres) * (1.0f / (1.0f + 4.0f * m * m));
         const F sum = max(h.n_l + h.n_v - h.n_l * h.n_v, F(1e-6f));
