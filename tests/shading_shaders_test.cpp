@@ -78,7 +78,7 @@ TEST(FlatShader, GivesATriangleOneColourLitAtItsCentroidWithItsOwnNormal) {
     const glm::vec3 a = slanted[0].position, b = slanted[1].position, c = slanted[2].position;
     const glm::vec3 n = glm::normalize(glm::cross(b - a, c - a)), p = (a + b + c) / 3.0f;
     const Lit<float> lit = illuminate(model, scene.u.lights, frame_at(scene.u, model, n, p), p);
-    const glm::vec4 expected = plain_sum(plain_colors(scene.u.material), scene.u.ambient, lit);
+    const glm::vec4 expected = plain_sum(scene.u.material, scene.u.ambient, lit);
     EXPECT_GT(expected.x, 0.3f);
     const glm::vec4 first = target.color(32, 36);
     for_each_drawn(target, [&](int, int, glm::vec4 color) { ASSERT_EQ(color, first); });
@@ -91,7 +91,7 @@ TEST(FlatShader, StaysOneColourWhereTheTriangleIsClipped) {
                                                        vertex_at({-1, 2, -4})};
     const auto faces = light_faces(scene.u, {Lambert{}}, {through});
     const auto target = draw_scene(FlatShader<Detail::plain>{scene.u, faces}, {through});
-    const glm::vec4 expected = plain_sum(plain_colors(scene.u.material), scene.u.ambient, faces[0].lit);
+    const glm::vec4 expected = plain_sum(scene.u.material, scene.u.ambient, faces[0].lit);
     for_each_drawn(target, [&](int, int, glm::vec4 color) { ASSERT_EQ(color, expected); });
 }
 

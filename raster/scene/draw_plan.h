@@ -7,6 +7,7 @@
 #include <raster/shading/flat_shader.h>
 #include <raster/shading/gouraud_shader.h>
 #include <raster/shading/pixel_shader.h>
+#include <raster/shading/sunlit_shader.h>
 
 namespace raster {
 
@@ -96,7 +97,9 @@ void with_pixel_shader(const PlannedDraw& d, const Visit& visit) {
     if (d.level == Detail::terms)
         return visit(PixelShader<RuntimeModel, Detail::terms>{d.uniforms, any}, d.mesh, d.state);
     const auto with_model = [&]<class M>(const M& model) {
-        if (d.level == Detail::plain) {
+        if (d.level == Detail::plain && is_specialised<M>() && is_sunlit(d.uniforms)) {
+            if constexpr (is_specialised<M>()) visit(SunlitShader<M>(d.uniforms, model), d.mesh, d.state);
+        } else if (d.level == Detail::plain) {
             visit(PixelShader<M, Detail::plain>{d.uniforms, model}, d.mesh, d.state);
         } else {
             visit(PixelShader<M, Detail::mapped>{d.uniforms, model}, d.mesh, d.state);

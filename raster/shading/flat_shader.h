@@ -78,7 +78,7 @@ struct FlatShader {
         const Int<F> face = clamped<F>(at.triangle);
         Lit<F> lit{look_up<F>(face, 0), look_up<F>(face, 3)};
         if constexpr (level == Detail::plain) {
-            return plain_sum(plain_colors(u.material), u.ambient, lit);
+            return plain_sum(u.material, u.ambient, lit);
         } else {
             SurfaceColors<F> colors = mapped_colors(u.material, in.uv, look_up<F>(face, 9));
             Terms<F> terms = make_terms(colors, u.ambient, lit);

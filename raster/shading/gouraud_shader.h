@@ -44,7 +44,7 @@ struct GouraudShader {
         VertexOut<F, Varyings> out;
         out.clip = transform_point(u.clip_from_object, v.position);
         if constexpr (level == Detail::plain) {
-            out.varyings.color = vec<3, F>(plain_sum(plain_colors(u.material), u.ambient, lit));
+            out.varyings.color = vec<3, F>(plain_sum(u.material, u.ambient, lit));
         } else {
             Frame<F> behind = frame_at(u, model, -n, position_eye);
             Lit<F> back = u.two_sided ? illuminate(model, u.lights, behind, position_eye) : lit;

@@ -25,7 +25,7 @@ struct OrenNayar {
         const F n_l = glm::dot(frame.n, l), n_v = dot0(frame.n, frame.v);
         // cos(phi) sin a tan b = (l v - (n l)(n v)) / max(n l, n v), since sin a sin b is the length of both tangents.
         const F along = max(glm::dot(l, frame.v) - n_l * n_v, F(0)) / max(max(n_l, n_v), F(1e-6f));
-        return {grey(select(n_l > F(0), n_l * (F(a) + F(b) * along), F(0))), grey(F(0))};
+        return {grey(max(n_l, F(0)) * (F(a) + F(b) * along)), grey(F(0))};
     }
 };
 

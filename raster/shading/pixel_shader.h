@@ -55,7 +55,7 @@ struct PixelShader {
         Frame<F> frame = frame_at(u, model, n, in.position_eye);
         Lit<F> lit = illuminate(model, u.lights, frame, in.position_eye);
         if constexpr (level == Detail::plain) {
-            return plain_sum<Model>(plain_colors(u.material), u.ambient, lit);
+            return plain_sum<Model>(u.material, u.ambient, lit);
         } else {
             SurfaceColors<F> colors = mapped_colors(u.material, in.uv, in.color);
             Terms<F> terms = make_terms(colors, u.ambient, lit);

@@ -127,10 +127,16 @@ constexpr bool has_own_color() {
     }
 }
 
-/// v / |v|. The zero vector stays zero, so no NaN comes of it.
+/// 1 / |v|; finite for the zero vector, so that no NaN comes of it.
+template <class F>
+inline F per_length(const vec<3, F>& v) {
+    return F(1) / sqrt(max(glm::dot(v, v), F(1e-30f)));
+}
+
+/// v / |v|. The zero vector stays zero.
 template <class F>
 inline vec<3, F> normalize_or_zero(const vec<3, F>& v) {
-    return v * (F(1) / sqrt(max(glm::dot(v, v), F(1e-30f))));
+    return v * per_length(v);
 }
 
 /// A frame whose tangent is `grain`, the direction of brush marks or threads, laid onto the surface. Where the grain

@@ -88,13 +88,23 @@ inline vec<4, F> sum_of(const Terms<F>& t, F alpha) {
     return detail::final_color(((t.emission + t.ambient) + t.diffuse) + t.specular, alpha);
 }
 
+/// What needs no light but the ambient one, of which this is the sum of intensities.
+inline glm::vec3 unlit_color(const SurfaceColors<float>& colors, const glm::vec3& ambient) {
+    return colors.emission + colors.ambient * ambient;
+}
+
 /// The same sum for a material that is the same all over, where half of it needs computing only once. The model, where it
 /// is told, may have no specular part.
 template <class Model = void, class F>
-inline vec<4, F> plain_sum(const SurfaceColors<float>& colors, const glm::vec3& ambient, const Lit<F>& lit) {
-    vec<3, F> sum = vec<3, F>(colors.emission + colors.ambient * ambient) + lit.diffuse * colors.diffuse;
+inline vec<4, F> plain_sum(const glm::vec3& unlit, const SurfaceColors<float>& colors, const Lit<F>& lit) {
+    vec<3, F> sum = vec<3, F>(unlit) + lit.diffuse * colors.diffuse;
     if constexpr (has_specular<Model>()) sum += lit.specular * colors.specular;
     return detail::final_color(sum, F(colors.alpha));
+}
+template <class Model = void, class F>
+inline vec<4, F> plain_sum(const SurfaceMaterial& m, const glm::vec3& ambient, const Lit<F>& lit) {
+    const SurfaceColors<float> colors = plain_colors(m);
+    return plain_sum<Model>(unlit_color(colors, ambient), colors, lit);
 }
 
 }  // namespace raster

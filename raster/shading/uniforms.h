@@ -40,14 +40,18 @@ inline vec<3, F> to_viewer(const ShadingUniforms& u, const vec<3, F>& position_e
     return normalize_or_zero(vec<3, F>(glm::vec3(u.viewer_eye)) - position_eye * F(u.viewer_eye.w));
 }
 
+/// The frame for a normal and a direction to the viewer, both of unit length.
+template <class Model, class F>
+inline Frame<F> frame_with(const ShadingUniforms& u, const Model& model, const vec<3, F>& n, const vec<3, F>& v) {
+    if (reads_tangents(model))
+        return turned(make_frame(n, v, vec<3, F>(u.grain_eye)), u.grain_turn.x, u.grain_turn.y);
+    return {n, v, vec<3, F>(F(0)), vec<3, F>(F(0))};
+}
 /// The frame at a point, for a normal of unit length.
 template <class Model, class F>
 inline Frame<F> frame_at(const ShadingUniforms& u, const Model& model, const vec<3, F>& normal_eye,
                          const vec<3, F>& position_eye) {
-    vec<3, F> v = to_viewer(u, position_eye);
-    if (reads_tangents(model))
-        return turned(make_frame(normal_eye, v, vec<3, F>(u.grain_eye)), u.grain_turn.x, u.grain_turn.y);
-    return {normal_eye, v, vec<3, F>(F(0)), vec<3, F>(F(0))};
+    return frame_with(u, model, normal_eye, to_viewer(u, position_eye));
 }
 
 /// -x where the mask is true.

@@ -112,7 +112,7 @@ ShadingRecord shading_of_corner(const PlannedDraw& draw, std::uint32_t vertex, b
         r.agrees = same(r.sum_diffuse, lit) && same(r.sum_specular, lit.subspan(3));
     } else {
         const Lit<float> lit{r.sum_diffuse, r.sum_specular};
-        r.agrees = same(Vec3(plain_sum(plain_colors(u.material), u.ambient, lit)), varyings);
+        r.agrees = same(Vec3(plain_sum(u.material, u.ambient, lit)), varyings);
     }
     return r;
 }
