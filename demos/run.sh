@@ -22,5 +22,6 @@ esac
 # The pictures are the same with any instruction set; these come faster.
 march=
 if has_x86_64_v3; then march=x86-64-v3; fi
+if has_x86_64_v4; then march=x86-64-v4; fi
 
 . "demos/$demo.sh"

@@ -43,13 +43,16 @@ install_packages() {
         apt-get -qq install -y --no-install-recommends -o Dpkg::Use-Pty=0 "${missing[@]}" >/dev/null
 }
 
-# Whether this processor runs x86-64-v3 programs (AVX2, FMA, BMI).
-has_x86_64_v3() {
+# processor_has FLAG...: as /proc/cpuinfo names them.
+processor_has() {
     local flag
-    for flag in avx2 fma bmi1 bmi2 movbe f16c abm; do
+    for flag; do
         grep -qw "$flag" /proc/cpuinfo 2>/dev/null || return 1
     done
 }
+# Whether this processor runs x86-64-v3 programs (AVX2, FMA, BMI), and x86-64-v4 programs (AVX-512).
+has_x86_64_v3() { processor_has avx2 fma bmi1 bmi2 movbe f16c abm; }
+has_x86_64_v4() { has_x86_64_v3 && processor_has avx512f avx512bw avx512cd avx512dq avx512vl; }
 
 # configure PRESET [CMAKE-OPTION...]: of build/PRESET, quietly unless it fails.
 configure() {

@@ -21,6 +21,7 @@ builds=(
     "g++-O3|g++-12 -O3"
     "g++-O3-avx2|g++-12 -O3 -mavx2 -mno-fma"
     "g++-O3-avx2-fma|g++-12 -O3 -march=x86-64-v3"
+    "g++-O3-avx512|g++-12 -O3 -march=x86-64-v4 -mprefer-vector-width=256"
     "g++-O1-no-vectors|g++-12 -O1 -DRASTER_NO_VECTOR_EXTENSIONS"
     "clang14-O0|clang++-14 -O0"
     "clang14-O1|clang++-14 -O1"
@@ -105,6 +106,8 @@ for entry in "${builds[@]}"; do
     log=$out/$name.log
     if [[ $flags = *avx2* || $flags = *v3* ]] && ! has_x86_64_v3; then
         verdict="not run: this processor has no AVX2 and FMA"
+    elif [[ $flags = *v4* ]] && ! has_x86_64_v4; then
+        verdict="not run: this processor has no AVX-512"
     elif ! command -v "${command[0]}" >/dev/null; then
         verdict="not run: no ${command[0]}"
         failed=1
