@@ -36,7 +36,7 @@ glm::vec3 diffuse_albedo(const AnyReflectance& model) {
 }
 
 glm::vec3 own_color(const AnyReflectance& model) {
-    const bool is_colored = std::visit([]<class M>(const M&) { return has_own_color<M>(); }, model);
+    const bool is_colored = std::visit([]<class M>(const M&) { return has_own_color<M>; }, model);
     return is_colored ? diffuse_albedo(model) : glm::vec3(1.0f);
 }
 

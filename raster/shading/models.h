@@ -86,7 +86,7 @@ inline constexpr auto model_indices = std::make_index_sequence<std::variant_size
 inline std::vector<std::string_view> reflectance_names() {
     std::vector<std::string_view> names;
     const auto add = [&]<class M>(std::string_view name, const M&) {
-        if (!needs_data<M>()) names.push_back(name);
+        if (!needs_data<M>) names.push_back(name);
     };
     detail::for_each_model(add, detail::model_indices);
     return names;

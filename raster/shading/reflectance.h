@@ -67,63 +67,25 @@ struct NamedForm {
     M model;
 };
 
-/// Whether a model reads the tangents.
+/// What a model says of itself, or what is true of those that do not say.
 template <class M>
-constexpr bool is_anisotropic() {
-    if constexpr (requires { M::anisotropic; }) {
-        return M::anisotropic;
-    } else {
-        return false;
-    }
-}
+inline constexpr bool is_anisotropic = requires { requires M::anisotropic; };
+template <class M>
+inline constexpr bool is_specialised = requires { requires M::specialised; };
+template <class M>
+inline constexpr bool has_specular = !requires { requires !M::has_specular; };
+template <class M>
+inline constexpr bool needs_data = requires { requires M::needs_data; };
+template <class M>
+inline constexpr bool has_own_color = requires { requires M::has_own_color; };
 
-/// The same of a model that knows it while running only.
+/// Whether a model reads the tangents; some know while running only.
 template <class M>
 inline bool reads_tangents(const M& model) {
     if constexpr (requires { model.reads_tangents(); }) {
         return model.reads_tangents();
     } else {
-        return is_anisotropic<M>();
-    }
-}
-
-/// Whether a model has pixel shaders of its own.
-template <class M>
-constexpr bool is_specialised() {
-    if constexpr (requires { M::specialised; }) {
-        return M::specialised;
-    } else {
-        return false;
-    }
-}
-
-/// Whether a model's specular part is ever more than 0.
-template <class M>
-constexpr bool has_specular() {
-    if constexpr (requires { M::has_specular; }) {
-        return M::has_specular;
-    } else {
-        return true;
-    }
-}
-
-/// Whether a model is of no use by its name alone.
-template <class M>
-constexpr bool needs_data() {
-    if constexpr (requires { M::needs_data; }) {
-        return M::needs_data;
-    } else {
-        return false;
-    }
-}
-
-/// Whether a model's diffuse part has a colour besides kd.
-template <class M>
-constexpr bool has_own_color() {
-    if constexpr (requires { M::has_own_color; }) {
-        return M::has_own_color;
-    } else {
-        return false;
+        return is_anisotropic<M>;
     }
 }
 

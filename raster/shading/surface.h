@@ -98,7 +98,7 @@ inline glm::vec3 unlit_color(const SurfaceColors<float>& colors, const glm::vec3
 template <class Model = void, class F>
 inline vec<4, F> plain_sum(const glm::vec3& unlit, const SurfaceColors<float>& colors, const Lit<F>& lit) {
     vec<3, F> sum = vec<3, F>(unlit) + lit.diffuse * colors.diffuse;
-    if constexpr (has_specular<Model>()) sum += lit.specular * colors.specular;
+    if constexpr (has_specular<Model>) sum += lit.specular * colors.specular;
     return detail::final_color(sum, F(colors.alpha));
 }
 template <class Model = void, class F>
