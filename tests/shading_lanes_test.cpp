@@ -1,4 +1,7 @@
 // The shaders over lanes give the scalar's bits, also with a reflectance model that is not in the tree.
+#include <raster/shading/cook_torrance.h>
+#include <raster/shading/sunlit_shader.h>
+
 #include "shading_scene.h"
 
 namespace {
@@ -61,7 +64,7 @@ void expect_lanes_equal_scalar(const S& shader) {
 }
 
 TEST(Shaders, GiveLanesExactlyWhatTheyGiveTheScalar) {
-    Scene scene(three_kinds_of_light());
+    Scene scene(three_kinds_of_light()), sunlit({Light{}});
     scene.set_texture(checker());
     scene.u.material.vertex_colors = true;
     Random random(32);
@@ -74,8 +77,9 @@ TEST(Shaders, GiveLanesExactlyWhatTheyGiveTheScalar) {
     const std::int32_t numbers[] = {17, 3, 0, 99, 5};
     scene.u.triangle_numbers = numbers;
     for (const bool two_sided : {false, true}) {
-        scene.u.two_sided = two_sided;
+        scene.u.two_sided = sunlit.u.two_sided = two_sided;
         expect_lanes_equal_scalar(PixelShader<Lambert, Detail::plain>{scene.u, {}});
+        expect_lanes_equal_scalar(SunlitShader<CookTorrance>(sunlit.u, {}));
         expect_lanes_equal_scalar(PixelShader<Phong, Detail::mapped>{scene.u, {20}});
         expect_lanes_equal_scalar(PixelShader<BlinnPhong, Detail::plain>{scene.u, {20}});
         expect_lanes_equal_scalar(PixelShader<RuntimeModel, Detail::terms>{scene.u, {BlinnPhong{}}});
