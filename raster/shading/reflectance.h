@@ -38,7 +38,7 @@ struct Reflectance {
 ///     struct Lambert {
 ///         static constexpr std::string_view name = "lambert";      // on the command line
 ///         static constexpr bool anisotropic = false;               // optional: whether it reads Frame's t and b
-///         static constexpr bool specialised = true;                // optional: a pixel shader of its own, inlined; for
+///         static constexpr bool specialised = true;                // optional: pixel shaders of its own, inlined; for
 ///                                                                  // models that cost less than a call
 ///         static constexpr bool has_specular = false;              // optional: that part is 0 always
 ///         static constexpr bool needs_data = true;                 // optional: black without what a material brings
