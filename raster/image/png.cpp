@@ -27,7 +27,7 @@ namespace {
 constexpr int deflate_level = 1;
 constexpr int filter_up = 2;
 
-/// Of the picture that this thread has stb write the fast way.
+/// Of the picture that this thread is about to have stb write the fast way.
 struct FastRows {
     std::size_t row_bytes;
     int pixel_bytes;
@@ -47,7 +47,9 @@ unsigned char* compress_fast(std::span<const unsigned char> rows, FastRows fast,
 
 /// `size` bytes as a zlib stream (RFC 1950), or nullptr when memory is short. Has the form stb expects.
 unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int /*stb's level*/) {
-    if (fast_rows) return compress_fast({data, std::size_t(size)}, *fast_rows, compressed_size);
+    // Taken before the packer waits for other threads: in the meantime this one may be given another picture to write.
+    if (const FastRows* const fast = std::exchange(fast_rows, nullptr))
+        return compress_fast({data, std::size_t(size)}, *fast, compressed_size);
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(deflate_level), libdeflate_free_compressor);
     if (!compressor) return nullptr;
@@ -221,10 +223,11 @@ Image8 unpacked(const PackedImage& image) {
 
 Result<Bytes> encode_png_fast(const Image8& image) {
     const FastRows rows{1 + std::size_t(image.width) * std::size_t(image.channels), image.channels};
-    const FastRows* const before = std::exchange(fast_rows, &rows);
-    Result<Bytes> bytes = encode_png(image);
-    fast_rows = before;
-    return bytes;
+    struct Reset {
+        ~Reset() { fast_rows = nullptr; }
+    } at_the_end;
+    fast_rows = &rows;
+    return encode_png(image);
 }
 
 Result<Bytes> encode_png(const IndexedImage& image) {

@@ -97,16 +97,20 @@ void with_pixel_shader(const PlannedDraw& d, const Visit& visit) {
     if (d.level == Detail::terms)
         return visit(PixelShader<RuntimeModel, Detail::terms>{d.uniforms, any}, d.mesh, d.state);
     const auto with_model = [&]<class M>(const M& model) {
-        if (d.level == Detail::plain && is_specialised<M> && is_sunlit(d.uniforms)) {
-            if constexpr (is_specialised<M>) visit(SunlitShader<M>(d.uniforms, model), d.mesh, d.state);
-        } else if (d.level == Detail::plain) {
+        if (d.level == Detail::plain) {
             visit(PixelShader<M, Detail::plain>{d.uniforms, model}, d.mesh, d.state);
         } else {
             visit(PixelShader<M, Detail::mapped>{d.uniforms, model}, d.mesh, d.state);
         }
     };
     const auto with_own_shader = [&]<class M>(const M& model) {
-        if constexpr (is_specialised<M>) with_model(model);
+        if constexpr (is_specialised<M>) {
+            if (d.level == Detail::plain && is_sunlit(d.uniforms)) {
+                visit(SunlitShader<M>(d.uniforms, model), d.mesh, d.state);
+            } else {
+                with_model(model);
+            }
+        }
         return is_specialised<M>;
     };
     if (!std::visit(with_own_shader, d.reflectance)) with_model(any);

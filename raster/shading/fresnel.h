@@ -28,7 +28,7 @@ inline F fresnel_conductor(F c, float n, float k) {
     const F a2_b2 = sqrt(t0 * t0 + F(4 * n * n * k * k));
     const F a = sqrt(max(F(0.5f) * (a2_b2 + t0), F(0)));
     const F t1 = a2_b2 + c2, t2 = F(2) * a * c, t3 = c2 * a2_b2 + s2 * s2, t4 = t2 * s2;
-    // The perpendicular part is (t1 - t2) / (t1 + t2), the parallel one that times (t3 - t4) / (t3 + t4). Half their sum:
+    // The perpendicular part is (t1 - t2) / (t1 + t2), the parallel one that times (t3 - t4) / (t3 + t4). Half the sum:
     return clamp((t1 - t2) * t3 / max((t1 + t2) * (t3 + t4), F(1e-20f)), F(0), F(1));
 }
 

@@ -10,8 +10,8 @@
 
 namespace raster {
 
-/// The cosines that a pair of directions has with the normal and with h = (l + v) / |l + v|. With d = (l + v) / 2, which
-/// is h by length v h, whatever a model needs of n h comes without a root and often without a division.
+/// The cosines that a pair of directions has with the normal and with h = (l + v) / |l + v|. With d = (l + v) / 2,
+/// which is h by length v h, whatever a model needs of n h comes without a root and often without a division.
 template <class F>
 struct HalfVector {
     F n_l, n_v;     ///< as they are, also negative
@@ -21,8 +21,8 @@ struct HalfVector {
 
     F n_h() const { return clamp(n_d / v_h, F(0), F(1)); }
     F n_h_2() const { return min(n_d * n_d / v_h_2, F(1)); }
-    /// 1 / (n h)^2, which is 1 + tan^2 of the angle between n and h; at most 1e8.
-    F per_n_h_2() const { return v_h_2 / max(n_d * n_d, F(1e-8f) * v_h_2); }
+    /// 1 / (n h)^2, which is 1 + tan^2 of the angle between n and h; 1 to 1e8.
+    F per_n_h_2() const { return max(v_h_2 / max(n_d * n_d, F(1e-8f) * v_h_2), F(1)); }
 };
 
 template <class F>
@@ -36,8 +36,8 @@ inline HalfVector<F> make_half_vector(const Frame<F>& frame, const vec<3, F>& l)
 inline constexpr float min_facet_slope = 0.01f;
 
 /// How many facets have their normal at the angle alpha from n, given 1 / cos^2 alpha here and cos alpha below; `m` is
-/// the root mean square slope, 0.01 to 1. Both are pi times the distribution per steradian, so that their integral of cos
-/// alpha over the hemisphere is pi. exp(-tan^2 alpha / m^2) / (m^2 cos^4 alpha):
+/// the root mean square slope, 0.01 to 1. Both are pi times the distribution per steradian, so that their integral of
+/// cos alpha over the hemisphere is pi. exp(-tan^2 alpha / m^2) / (m^2 cos^4 alpha):
 template <class F>
 inline F beckmann_distribution(F per_cos_2, float m) {
     const float per_m2 = 1.0f / (m * m);

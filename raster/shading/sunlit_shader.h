@@ -8,8 +8,8 @@ namespace raster {
 /// Whether there is one light, and that is directional.
 inline bool is_sunlit(const ShadingUniforms& u) { return only_directional(u.lights) != nullptr; }
 
-/// The bits of PixelShader<Model, Detail::plain>, for uniforms that are is_sunlit. What pixels share is computed once, and
-/// what the model does not read, the position for Lambert's, is not interpolated.
+/// The bits of PixelShader<Model, Detail::plain>, for uniforms that are is_sunlit. What pixels share is computed once;
+/// and what the model does not read, the position for Lambert's, the compiler sees is of no use, and leaves it out.
 template <ReflectanceModel Model>
 struct SunlitShader : PixelShader<Model, Detail::plain> {
     using Base = PixelShader<Model, Detail::plain>;
