@@ -1,4 +1,6 @@
 // The models of rough surfaces against their papers' formulas, written in angles and double precision.
+#include <complex>
+
 #include <gtest/gtest.h>
 #include <raster/shading/models.h>
 
@@ -102,6 +104,45 @@ TEST(CookTorrance, IsTheFormulaOfThePaper) {
     }
 }
 
+/// Fresnel's amplitudes over complex numbers, for a cosine c in air.
+double fresnel_of_amplitudes(double c, std::complex<double> index) {
+    const std::complex<double> n2 = index * index, g = std::sqrt(n2 - (1 - c * c));
+    return (std::norm((c - g) / (c + g)) + std::norm((n2 * c - g) / (n2 * c + g))) / 2;
+}
+
+/// c of the Gaussian c exp(-(alpha / m)^2) whose integral of cos alpha over all directions, as far as it goes, is pi.
+double gaussian_peak(double m) {
+    double projected = 0;
+    constexpr int steps = 2000;
+    for (int i = 0; i < steps; ++i) {
+        const double a = (i + 0.5) / steps * 8 * m;
+        projected += pi * std::sin(2 * a) * std::exp(-std::pow(a / m, 2)) * 8 * m / steps;
+    }
+    return pi / projected;
+}
+
+/// pi f cos_l of Torrance and Sparrow's F G D / (4 (n l)(n v)), all from the angles.
+double spread_mirrors(const Pair& p, std::complex<double> index, double m, double peak) {
+    const double n_h = std::cos(p.alpha), v_h = std::cos(p.beta), n_l = std::cos(p.theta_l), n_v = std::cos(p.theta_v);
+    const double g = std::min({1.0, 2 * n_h * n_v / v_h, 2 * n_h * n_l / v_h});
+    return fresnel_of_amplitudes(v_h, index) * g * peak * std::exp(-std::pow(p.alpha / m, 2)) / (4 * n_v);
+}
+
+TEST(TorranceSparrow, IsTheFormulaOfThePaper) {
+    const glm::vec3 n(0.16f, 0.42f, 1.38f), k(3.6f, 2.47f, 1.92f);
+    for (const double m : {0.12, 0.35, 0.6}) {
+        const double peak = gaussian_peak(m);
+        const TorranceSparrow metal{{n, k}, float(m)}, plastic{{glm::vec3(1.5f), glm::vec3(0)}, float(m)};
+        for_random_pairs([&](const Pair& p) {
+            const auto value = metal.evaluate(flat_frame(p.v), p.l);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_CLOSE(value.specular[c], spread_mirrors(p, {double(n[c]), double(k[c])}, m, peak), 5e-4);
+            EXPECT_EQ(value.diffuse.x, p.l.z);
+            EXPECT_CLOSE(plastic.evaluate(flat_frame(p.v), p.l).specular.y, spread_mirrors(p, 1.5, m, peak), 5e-4);
+        });
+    }
+}
+
 TEST(TorranceSparrow, PeaksBeyondTheMirrorDirectionAtGrazingLight) {
     const auto peak = [](double light, float m = 0.3f) {
         double best = 0, at = 0;
@@ -186,6 +227,29 @@ TEST(Subsurface, OfJensensTableHasTheReflectanceThatHePrints) {
     near({{2.19f, 2.62f, 3.00f}, {0.0021f, 0.0041f, 0.0071f}, 1.5f}, {0.83f, 0.79f, 0.75f});
     near({{0.74f, 0.88f, 1.01f}, {0.032f, 0.17f, 0.48f}, 1.3f}, {0.44f, 0.22f, 0.13f});
     near({{2.55f, 3.21f, 3.77f}, {0.0011f, 0.0024f, 0.014f}, 1.3f}, {0.91f, 0.88f, 0.76f});
+}
+
+TEST(Subsurface, IsTheFormulaOfThePaperAboveAndBelowTheBoundary) {
+    const glm::dvec3 scattering(2.19, 0.74, 0.5), absorption(0.0021, 0.17, 2);
+    for (const double n : {1.2, 1.5, 1.9}) {
+        const double m = 0.25, peak = gaussian_peak(m);
+        const Subsurface model{glm::vec3(scattering), glm::vec3(absorption), float(n), float(m)};
+        const double fdr = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n, a = (1 + fdr) / (1 - fdr);
+        for_random_pairs([&](const Pair& p) {
+            const auto value = model.evaluate(flat_frame(p.v), p.l);
+            const double below_l = std::asin(std::sin(p.theta_l) / n), below_v = std::asin(std::sin(p.theta_v) / n);
+            const double passing = (1 - fresnel_of_amplitudes(std::cos(p.theta_l), n)) *
+                                   (1 - fresnel_of_amplitudes(std::cos(p.theta_v), n));
+            for (int c = 0; c < 3; ++c) {
+                const double albedo = scattering[c] / (scattering[c] + absorption[c]);
+                const double root = std::sqrt(3 * (1 - albedo));
+                const double rd = albedo / 2 * (1 + std::exp(-4.0 / 3 * a * root)) * std::exp(-root);
+                const double once = albedo / (4 * (std::cos(below_l) + std::cos(below_v)));
+                EXPECT_CLOSE(value.diffuse[c], passing * (rd + once) * std::cos(p.theta_l), 2e-4);
+                EXPECT_CLOSE(value.specular[c], spread_mirrors(p, n, m, peak), 5e-4);
+            }
+        });
+    }
 }
 
 TEST(Subsurface, WithoutScatteringIsBlackAndWithoutAbsorptionWhite) {
