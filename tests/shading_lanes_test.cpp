@@ -1,5 +1,6 @@
 // The shaders over lanes give the scalar's bits, also with a reflectance model that is not in the tree.
 #include <raster/shading/cook_torrance.h>
+#include <raster/shading/oren_nayar.h>
 #include <raster/shading/sunlit_shader.h>
 
 #include "shading_scene.h"
@@ -79,7 +80,12 @@ TEST(Shaders, GiveLanesExactlyWhatTheyGiveTheScalar) {
     for (const bool two_sided : {false, true}) {
         scene.u.two_sided = sunlit.u.two_sided = two_sided;
         expect_lanes_equal_scalar(PixelShader<Lambert, Detail::plain>{scene.u, {}});
+        expect_lanes_equal_scalar(SunlitShader<Lambert>(sunlit.u, {}));
+        expect_lanes_equal_scalar(SunlitShader<Phong>(sunlit.u, {20}));
+        expect_lanes_equal_scalar(SunlitShader<BlinnPhong>(sunlit.u, {20}));
         expect_lanes_equal_scalar(SunlitShader<CookTorrance>(sunlit.u, {}));
+        expect_lanes_equal_scalar(SunlitShader<CookTorrance>(sunlit.u, {{{0.2f, 0.9f, 1.1f}, {3.9f, 2.4f, 2.2f}}}));
+        expect_lanes_equal_scalar(SunlitShader<OrenNayar>(sunlit.u, {}));
         expect_lanes_equal_scalar(PixelShader<Phong, Detail::mapped>{scene.u, {20}});
         expect_lanes_equal_scalar(PixelShader<BlinnPhong, Detail::plain>{scene.u, {20}});
         expect_lanes_equal_scalar(PixelShader<RuntimeModel, Detail::terms>{scene.u, {BlinnPhong{}}});

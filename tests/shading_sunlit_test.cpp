@@ -1,6 +1,9 @@
 // The shader for one directional light: the bits of the general pixel shader, for whoever looks from wherever.
 #include <gtest/gtest.h>
 
+#include <raster/scene/observe.h>
+#include <raster/scene/shapes.h>
+#include <raster/scene/transform.h>
 #include <raster/shading/blinn_phong.h>
 #include <raster/shading/cook_torrance.h>
 #include <raster/shading/lambert.h>
@@ -42,7 +45,8 @@ void expect_the_bits_of_the_pixel_shader(const Model& model) {
         FragmentInput<float> at{};
         at.front_facing = i % 7 < 4;
         const glm::vec4 expected = general.template fragment<float>({normal, position}, at);
-        EXPECT_EQ(sunlit.template fragment<float>({normal, position}, at), expected) << Model::name << " " << i;
+        const glm::vec4 color = sunlit.template fragment<float>({normal, position}, at);
+        for (int c = 0; c < 4; ++c) EXPECT_EQ(bits_of(color[c]), bits_of(expected[c])) << Model::name << " " << i;
         lit += expected.x > 0.5f;
     }
     EXPECT_GT(lit, 300);
@@ -58,6 +62,41 @@ TEST(SunlitShader, HasTheBitsOfThePixelShader) {
     expect_the_bits_of_the_pixel_shader(metal);
     expect_the_bits_of_the_pixel_shader(OrenNayar{});
     expect_the_bits_of_the_pixel_shader(Ward{});
+}
+
+struct Nobody {
+    void on(const DrawEvent&) {}
+};
+
+TEST(SunlitShader, MakesThePictureOfTheChosenModelForEitherCamera) {
+    const Model model = torus(0.4f, 24, 16);
+    CameraMatrices near = *camera_matrices({{1, 2, 2.5f}, {0, 0, 0}, {0, 1, 0}, 40, 0.1f, 20}, 1), far = near;
+    far.clip_from_eye = orthographic(-1.6, 1.6, -1.6, 1.6, 0.1, 20);
+    far.clip_from_world = product(far.clip_from_eye, far.eye_from_world);
+    for (const CameraMatrices& camera : {near, far}) {
+        std::vector<std::vector<std::uint32_t>> seen;
+        for (const char* name : {"lambert", "phong", "blinn-phong", "cook-torrance", "oren-nayar"}) {
+            SCOPED_TRACE(name);
+            RenderOptions options;
+            options.reflectance = *find_reflectance(name);
+            options.lights = {sun()};
+            int sunlit = 0;
+            DrawPlan(model, options, false).for_each(camera, [&](const PlannedDraw& draw) {
+                with_shader(draw, [&]<class S>(const S&, const auto&...) {
+                    sunlit += requires(const S& shader) { shader.sees_from_origin; };
+                });
+            });
+            EXPECT_EQ(sunlit, 1) << "draws by this shader";
+            Target observed(90, 90), rendered(90, 90);
+            Nobody nobody;
+            render_observed(observed, model, camera, options, nobody);
+            render(rendered, model, camera, options);
+            EXPECT_EQ(rendered.color8(), observed.color8());
+            EXPECT_EQ(rendered.depth(), observed.depth());
+            for (const auto& other : seen) EXPECT_NE(rendered.color8(), other);
+            seen.push_back(rendered.color8());
+        }
+    }
 }
 
 TEST(SunlitShader, IsForOneDirectionalLightOnly) {
