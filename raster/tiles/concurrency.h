@@ -4,6 +4,7 @@
 #include <raster/tiles/parallel.h>
 
 #if !defined(RASTER_NO_THREADS) && !defined(RASTER_PLAIN_THREADS)
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -16,7 +17,8 @@ inline bool has_several_threads() {
 #elif defined(RASTER_PLAIN_THREADS)
     return true;
 #else
-    return tbb::this_task_arena::max_concurrency() > 1;
+    return tbb::this_task_arena::max_concurrency() > 1 &&
+           tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
 #endif
 }
 
