@@ -44,7 +44,7 @@ void for_random_pairs(const Check& check) {
     EXPECT_NEAR(value, expected, relative * std::max(double(expected), 1e-3))
 
 TEST(Distributions, HaveTheIntegralPiOfTheirProjectedFacets) {
-    for (const double m : {0.05, 0.1, 0.3, 0.5, 0.7}) {
+    for (const double m : {0.05, 0.1, 0.3, 0.5, 0.7, 1.0}) {
         double beckmann = 0, gaussian = 0;
         constexpr int steps = 20000;
         for (int i = 0; i < steps; ++i) {
@@ -53,7 +53,7 @@ TEST(Distributions, HaveTheIntegralPiOfTheirProjectedFacets) {
             gaussian += weight * double(gaussian_distribution(float(std::cos(a)), float(m)));
         }
         EXPECT_NEAR(beckmann, pi, 0.001 * pi) << m;
-        EXPECT_NEAR(gaussian, pi, 0.012 * pi) << m;
+        EXPECT_NEAR(gaussian, pi, (m > 0.7 ? 0.02 : 0.001) * pi) << m;
     }
 }
 

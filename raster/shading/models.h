@@ -22,7 +22,8 @@
 
 namespace raster {
 
-/// Any reflectance model, with its parameters. A new model is one file and one entry here.
+/// Any reflectance model, with its parameters. A new model is a file, its #include and an entry here;
+/// docs/reflectance.md tells what tests ask for besides.
 using AnyReflectance = std::variant<  //
     Lambert,                          //
     Phong,                            //

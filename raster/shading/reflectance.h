@@ -33,7 +33,7 @@ struct Reflectance {
     vec<3, F> specular;  ///< multiplied by ks and the light's specular colour
 };
 
-/// A reflectance model is a type like this one, in a file of its own, and one line in models.h:
+/// A reflectance model is a type like this one, in a file of its own that models.h includes and lists:
 ///
 ///     struct Lambert {
 ///         static constexpr std::string_view name = "lambert";      // on the command line

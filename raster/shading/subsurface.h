@@ -16,7 +16,7 @@ struct Subsurface {
     glm::vec3 scattering{2.19f, 2.62f, 3.00f};        ///< reduced, sigma_s' in 1/mm, 0 and up; here that of marble
     glm::vec3 absorption{0.0021f, 0.0041f, 0.0071f};  ///< sigma_a in 1/mm, 0 and up
     float n = 1.5f;                                   ///< refractive index, 1 to 2
-    float m = 0.3f;                                   ///< slope of the boundary's facets, 0.01 to 0.7
+    float m = 0.3f;                                   ///< spread of the boundary's facets, 0.01 to 1
 
     Subsurface with_material(const Material& material) const {
         Subsurface r = *this;

@@ -10,7 +10,7 @@ struct TorranceSparrow {
     static constexpr std::string_view name = "torrance-sparrow";
 
     Fresnel fresnel;
-    float m = 0.3f;  ///< spread of the facets' angles in radians, 0.01 to 0.7: 0.1 is glossy, 0.5 dull
+    float m = 0.3f;  ///< spread of the facets' angles in radians, 0.01 to 1 (see gaussian_distribution): 0.1 is glossy
 
     TorranceSparrow with_material(const Material& material) const {
         return {fresnel.with_material(material), facet_slope(material, m)};
