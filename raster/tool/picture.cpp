@@ -105,13 +105,16 @@ void add_picture_flags(CLI::App& app, PictureFlags& flags) {
     shading(add_value(app, "--reflectance", "MODEL", o.reflectance, parse_reflectance,
                       "How surfaces reflect light whose materials do not say it: " + names +
                           ". phong is (r v)^n, blinn-phong (n h)^n and blinn-phong-quarter (n h)^(n/4), n the"
-                          " material's Ns; cook-torrance divides by 4 pi, cook-torrance-pi by pi; ward is the bounded"
-                          " form of 2010, ward-1992 the first. [blinn-phong]"));
+                          " material's Ns; cook-torrance has Beckmann's facets and divides by 4 pi,"
+                          " cook-torrance-pi by pi; he-torrance's roughness is 2 sigma / tau at tau = 2 um, and its"
+                          " mirror shows lights as discs of 1 degree's radius; ward is the bounded form of 2010,"
+                          " ward-1992 the first. [blinn-phong]"));
     shading(add_values(app, "--light", "LIGHT", flags.lights, parse_light, light_help));
     shading(add_values(app, "--material", "CHANGE", flags.materials, parse_material, material_help()));
     shading(app.add_flag("--two-sided,!--no-two-sided", o.two_sided,
                          "Light back faces from their own side, or like the front. [--two-sided]"));
-    shading(add_choice(app, "--texture-filter", o.filter, filters, "How a texture is read. [bilinear]"));
+    shading(add_choice(app, "--texture-filter", o.filter, filters,
+                       "How a texture is read; v points up, from its bottom edge. [bilinear]"));
     shading(add_choice(app, "--texture-wrap", o.wrap, wraps,
                        "What lies beyond a texture's edges, where its material asks for no clamping. [repeat]"));
     shading(app.add_flag("--textures,!--no-textures", o.textures, "Use textures, or not. [--textures]"));

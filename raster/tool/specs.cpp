@@ -22,8 +22,8 @@ const char* const light_help =
     "Keys: color=COLOR [1,1,1]; intensity=N, which multiplies it [1]; diffuse=COLOR, specular=COLOR, ambient=COLOR set"
     " the three terms apart; decay=C1,C2,C3 weakens by min(1/(C1 + C2 d + C3 d^2), 1) at distance d [1,0,0];"
     " space=world|eye, where eye moves with the viewer [world]; units=relative|radiometric [relative], where radiometric"
-    " is W/sr of point and spot, W/m^2 of directional lights, weakened by 1/d^2 alone, and colours become radiance. dir is"
-    " [0,0,-1], pos [0,0,0].\n"
+    " is W/sr of point and spot, W/m^2 of directional lights, weakened by 1/d^2 alone, d in metres, and colours become"
+    " radiance. dir is [0,0,-1], pos [0,0,0].\n"
     "A COLOR is R,G,B of 0 and up, one number, or #RRGGBB.\n"
     "[head]";
 
@@ -31,7 +31,8 @@ std::string material_help() {
     std::string names;
     for (const std::string_view name : material_names()) names += (names.empty() ? "" : ", ") + std::string(name);
     return "Changes all materials: NAME[:KEY=VALUE]... or KEY=VALUE[:KEY=VALUE]... NAME is a substance with its reflectance"
-           " model: " + names + ".\n"
+           " model: " + names + "."
+           " Metals have their indices n + ik at 650, 550 and 450 nm.\n"
            "Keys: color=COLOR (diffuse, without its texture, and ambient), ambient, diffuse, specular, emission=COLOR;"
            " shininess=N (the highlight's exponent, 0 to 1000); alpha=N (0 to 1, 1 is opaque); reflectance=NAME, as"
            " --reflectance, for these materials; for models that read them: roughness=N (0 to 1; a facet slope, oren-nayar's"
