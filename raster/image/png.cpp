@@ -15,6 +15,7 @@
 #include <raster/image/limits.h>
 #include <raster/image/malloc_block.h>
 #include <raster/image/png_runs.h>
+#include <raster/lanes_storage.h>
 #include <raster/tiles/parallel.h>
 
 namespace raster {
@@ -202,7 +203,7 @@ Image8 unpacked(const PackedImage& image) {
         const std::uint32_t* const last = pixel + image.width - 1;
         std::uint8_t* to = result.pixel(0, int(y));
         // What is written behind a pixel is overwritten by the next ones.
-#if defined(__SSSE3__)  // has one instruction for this
+#if defined(__SSSE3__) && RASTER_VECTOR_EXTENSIONS  // has one instruction for this
         using Pixels = std::uint8_t __attribute__((vector_size(16)));
         for (; result.channels == 3 && last - pixel > 4; pixel += 4, to += 12) {
             Pixels four;
