@@ -22,9 +22,9 @@ picture phong_30 300x300 "Phong, n = 30" "${ball[@]}" --material color=0.1,0.3,0
 picture blinn_30 300x300 "Blinn-Phong, n = 30" shape:sphere --reflectance blinn-phong "${sun[@]}" --material color=0.1,0.3,0.6:specular=0.5:shininess=30
 picture blinn_quarter 300x300 "Blinn-Phong with (n h)^(alpha/4), alpha = 120" shape:sphere --reflectance blinn-phong-quarter "${sun[@]}" --material color=0.1,0.3,0.6:specular=0.5:shininess=120
 picture blinn_120 300x300 "Blinn-Phong, n = 120" shape:sphere --reflectance blinn-phong "${sun[@]}" --material color=0.1,0.3,0.6:specular=0.5:shininess=120
-low=(shape:plane --camera-position 0,2,3 --camera-focal-point 0,0,0 --camera-view-angle 36 --light directional:dir=0,-1.5,-1)
-picture low_phong 300x225 "The light at the viewer's back: Phong with n = 1 shows where r and v part" "${low[@]}" --reflectance phong --material color=0.2:specular=0.8:shininess=1
-picture low_blinn 300x225 "Blinn-Phong with n = 1 has no such edge" "${low[@]}" --reflectance blinn-phong --material color=0.2:specular=0.8:shininess=1
+low=(shape:sphere --light directional:dir=-Z:space=eye --material color=0:specular=1:shininess=1)
+picture low_phong 450x300 "The light at the viewer's back, kd = 0, ks = 1, n = 1: Phong's highlight ends where r and v are 90 degrees apart" "${low[@]}" --reflectance phong
+picture low_blinn 450x300 "Blinn-Phong's goes on to the outline" "${low[@]}" --reflectance blinn-phong
 
 figure L4 "Ambient light and emission" \
     "What no light reaches is black, which looks unnatural; a constant glow Ia ka from everywhere stands in for all light that is reflected to and fro. Alone it shows outlines only. Emission Ie is added in the same way: a glowing thing is bright itself, but in a local model it lights nothing else."
@@ -55,9 +55,9 @@ picture bowl_two_sided 360x270 "The normal is turned" shape:bowl "${sun[@]}" --l
 picture bowl_one_sided 360x270 "The normal stays" shape:bowl "${sun[@]}" --light ambient:color=0.08 --camera-elevation-angle 20 --cull none --no-two-sided
 
 figure L7 "Attenuation" \
-    "Two parallel planes of one material under one light are one grey: nothing says which is nearer. With f = min(1/(c1 + c2 d + c3 d^2), 1) for the distance d from the light, the farther one is darker."
-picture planes_alike 360x270 "A directional light: no attenuation" $scenes/two_planes.json
-picture planes_apart 360x270 "A point light at the eye, c = (0, 0.14, 0)" $scenes/two_planes.json --light point:pos=0,0,7:decay=0,0.14,0
+    "Two parallel planes of one material that face one light are nearly one grey: nothing says which is nearer. With f = min(1/(c1 + c2 d + c3 d^2), 1) for the distance d from the light, the farther one is darker."
+picture planes_alike 360x270 "A point light at the eye: no attenuation" $scenes/two_planes.json --light point:pos=0,0,7
+picture planes_apart 360x270 "The same light, c = (0, 0.14, 0)" $scenes/two_planes.json --light point:pos=0,0,7:decay=0,0.14,0
 
 figure L8 "Kinds of light" \
     "Ambient light comes from everywhere. A point light sends it to all sides and may weaken with the distance. A directional one is so far away that its rays are parallel. A spot has a cone, and within it weakens with the angle from its axis."

@@ -34,9 +34,10 @@ GNUPLOT
 
 curve distributions lobes 40 cook-torrance:roughness=0.25 cook-torrance-gaussian:roughness=0.25 cook-torrance:roughness=0.5 \
     cook-torrance-gaussian:roughness=0.5
-figure R4 "Cook-Torrance: metals" \
-    "kd / pi + ks F G D / (4 pi (n l)(n v)) with Beckmann's distribution of slopes m. A pure conductor has kd = 0 and ks = 1, so that all its colour comes of Fresnel's equations with the measured index of each metal."
+figure R4 "Cook-Torrance: metals and plastics" \
+    "kd / pi + ks F G D / (4 pi (n l)(n v)) with Beckmann's distribution of slopes m. A pure conductor has kd = 0 and ks = 1, so that all its colour comes of Fresnel's equations with the measured index of each metal. A dielectric shares its light between the two, kd + ks = 1: of this plastic kd is 0.4 times its colour, (1, 0.15, 0.075), and ks 0.6. Its index is 1.5 in all channels, so that its highlight has the light's colour, not its own; the copper's has its own."
 picture metal_vases 800x260 "Gold, silver, copper, aluminium, iron" $scenes/metal_vases.json
+picture plastic_vase 480x300 "Plastic, kd = 0.4 and ks = 0.6, beside copper, kd = 0 and ks = 1" $scenes/plastic_vase.json
 picture copper_vases 900x260 "Copper, m = 0.1, 0.2 ... 0.6" $scenes/copper_vases.json
 plot distributions "The two distributions of facets, nearly alike while m is small; light from 40 degrees" <<GNUPLOT
 set xlabel 'angle of the viewer, degrees'; set ylabel 'reflectance times cos(theta)'; set key top left
