@@ -4,6 +4,7 @@
 #include <malloc.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -12,10 +13,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "compare.h"
 #include "end_to_end.h"
+#include "limit.h"
 #include "ours.h"
 #include "rival.h"
 #include "scenes.h"
@@ -24,16 +28,23 @@ namespace {
 
 using json = nlohmann::json;
 
+/// One, and as many as the machine has.
+std::vector<int> default_threads() {
+    const int all = tbb::info::default_concurrency();
+    return all > 1 ? std::vector<int>{1, all} : std::vector<int>{1};
+}
+
 struct Options {
     std::vector<std::string> scenes = bench::scene_names();
     std::vector<std::pair<int, int>> sizes = {{640, 480}, {1920, 1080}};
-    std::vector<int> threads = {1, 2};
+    std::vector<int> threads = default_threads();
     int warm_up = 3;
     int frames = 15;
     std::string bunny = "/usr/share/glmark2/models/bunny.obj";
     bool as_json = false;
     bool child = false;
     bool alone = false;           ///< ours only, for profiling
+    bool check = false;           ///< instead: the pictures only, which have to have equal depths too
     bool first = false;           ///< instead: from nothing to the first frame, each in a process of its own
     std::string raster;           ///< instead: whole processes, this command against the rival's
     std::string picture;          ///< the rival's picture is written here
@@ -66,11 +77,11 @@ double median(std::vector<double> v) {
     return v.empty() ? 0 : v[v.size() / 2];
 }
 
-/// One scene at one size with one number of threads: both renderers in turn.
+/// One scene at one size with one number of threads: the pictures compared, then both renderers in turn.
 json measure(const Options& options, const std::string& name, int width, int height, int threads) {
     auto scene = bench::make_scene(name, options.bunny);
     if (!scene) return {{"error", scene.error().message}};
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    const tbb::global_control used(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
     json row{{"scene", name}, {"what", scene->what}, {"width", width}, {"height", height}, {"threads", threads},
              {"triangles", scene->indices.size() / 3}};
     if (options.first) {
@@ -80,60 +91,62 @@ json measure(const Options& options, const std::string& name, int width, int hei
         return row;
     }
     bench::Ours ours(*scene, width, height);
-    if (options.alone || (!scene->reflectance.empty() && !bench::has_glsl(scene->reflectance))) {
-        std::vector<double> times;
-        for (int i = 0; i < options.warm_up; ++i) ours.frame();
-        for (int i = 0; i < options.frames; ++i) times.push_back(milliseconds(options, [&] { ours.frame(); }));
-        row["ours_best"] = *std::min_element(times.begin(), times.end());
-        row["ours_median"] = median(times);
-        row["scratch_bytes"] = ours.scratch_bytes();
-        row["peak_bytes"] = peak_bytes();
-        row["drawn"] = drawn_pixels(ours.depth());
-        return row;
+    bench::Limit limit(*scene, width, height);
+    const bool alone = options.alone || (!scene->reflectance.empty() && !bench::has_glsl(scene->reflectance));
+    std::optional<bench::Rival> rival;
+    ours.frame();
+    if (!alone) {
+        rival.emplace(*scene, width, height);
+        if (!rival->ok()) return {{"error", rival->error()}};
+        row["rival"] = rival->version();
+        rival->frame();
+        const bench::Differences d = compare(ours, *rival);
+        row["largest_color_difference"] = d.largest_color;
+        row["color_pixels_different"] = d.color_pixels;
+        row["largest_depth_difference"] = d.largest_depth;
+        row["depth_pixels_different"] = d.depth_pixels;
+        row["coverage_pixels_different"] = d.coverage_pixels;
+        if (const std::string wrong = disagreement(d, *scene, options.check); !wrong.empty()) row["error"] = wrong;
+        if (options.check || row.contains("error")) return row;
     }
-    bench::Rival rival(*scene, width, height);
-    if (!rival.ok()) return {{"error", rival.error()}};
-    row["rival"] = rival.version();
-    std::vector<double> our_times, rival_times, ratios;
+    row["drawn"] = drawn_pixels(ours.depth());
+    if (options.check) return row;
+    std::vector<double> our_times, rival_times, limit_times, ratios;
     for (int i = -options.warm_up; i < options.frames; ++i) {
         const double a = milliseconds(options, [&] { ours.frame(); });
-        const double b = milliseconds(options, [&] { rival.frame(); });
+        const double b = rival ? milliseconds(options, [&] { rival->frame(); }) : 0;
+        const double c = limit.known() ? milliseconds(options, [&] { limit.frame(); }) : 0;
         if (i < 0) continue;
         our_times.push_back(a);
         rival_times.push_back(b);
+        limit_times.push_back(c);
         ratios.push_back(b / a);
     }
-    int largest = 0;
-    std::size_t color_pixels = 0, depth_pixels = 0;
-    const auto &our_color = ours.color(), &rival_color = rival.color();
-    const auto &our_depth = ours.depth(), rival_depth = rival.depth();
-    for (std::size_t i = 0; i < our_color.size(); ++i) {
-        depth_pixels += our_depth[i] != rival_depth[i];
-        color_pixels += our_color[i] != rival_color[i];
-        for (int shift = 0; shift < 32; shift += 8)
-            largest =
-                std::max(largest, std::abs(int(our_color[i] >> shift & 255) - int(rival_color[i] >> shift & 255)));
-    }
-    row["drawn"] = drawn_pixels(our_depth);
-    row["ours_best"] = *std::min_element(our_times.begin(), our_times.end());
+    row["ours_best"] = std::ranges::min(our_times);
     row["ours_median"] = median(our_times);
-    row["rival_best"] = *std::min_element(rival_times.begin(), rival_times.end());
-    row["rival_median"] = median(rival_times);
-    row["ratio"] = median(ratios);
-    row["largest_color_difference"] = largest;
-    row["color_pixels_different"] = color_pixels;
-    row["depth_pixels_different"] = depth_pixels;
+    if (limit.known()) {
+        row["limit"] = std::ranges::min(limit_times);
+        row["over_limit"] = double(row["ours_best"]) / double(row["limit"]);
+    }
+    if (rival) {
+        row["rival_best"] = std::ranges::min(rival_times);
+        row["rival_median"] = median(rival_times);
+        row["ratio"] = median(ratios);
+    } else {
+        row["scratch_bytes"] = ours.scratch_bytes();
+        row["peak_bytes"] = peak_bytes();
+    }
     return row;
 }
 
 /// Runs this program again for one configuration and reads the JSON that it prints.
-json run_child(const std::string& arguments, int rival_threads) {
+json run_child(const std::string& arguments, int rival_threads, const std::string& environment = "") {
     char self[4096];
     const ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
     if (length < 0) return {{"error", "cannot find this program"}};
     self[length] = 0;
     const std::string command =
-        "LP_NUM_THREADS=" + std::to_string(rival_threads) + " '" + self + "' --child " + arguments;
+        environment + " LP_NUM_THREADS=" + std::to_string(rival_threads) + " '" + self + "' --child " + arguments;
     FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return {{"error", "cannot start a child process"}};
     std::string text;
@@ -171,7 +184,9 @@ json run_end_to_end(const Options& options, const std::string& scene, int width,
     return row;
 }
 
-/// One line of the table. With two threads the rival may use its better setting of one or two raster threads.
+/// One line of the table. Pictures are compared twice: in a process where llvmpipe may not use the instructions that
+/// multiply and add in one rounding, which give it other depths, and as it is timed. With two threads the rival may use
+/// its better setting of one or two raster threads.
 json run(const Options& options, const std::string& scene, int width, int height, int threads) {
     const std::string arguments = "--scene " + scene + " --size " + std::to_string(width) + "x" +
                                   std::to_string(height) + " --threads " + std::to_string(threads) + " --frames " +
@@ -179,11 +194,15 @@ json run(const Options& options, const std::string& scene, int width, int height
                                   " --bunny '" + options.bunny + "'" + (options.alone ? " --alone" : "") +
                                   (options.processor_time ? " --processor-time" : "");
     if (options.first) return run_first(arguments);
+    if (!options.alone) {
+        json check = run_child(arguments + " --check", 0, "GALLIUM_OVERRIDE_CPU_CAPS=sse4.1");
+        if (check.contains("error")) return check;
+    }
     if (threads == 1 || options.alone) return run_child(arguments, 0);
     json best = run_child(arguments, 1);
+    if (!best.contains("rival_best")) return best;
     const json other = run_child(arguments, threads);
-    if (best.contains("error")) return best;
-    if (!other.contains("error") && other["rival_best"] < best["rival_best"]) best = other;
+    if (other.contains("error") || other["rival_best"] < best["rival_best"]) best = other;
     return best;
 }
 
@@ -202,10 +221,10 @@ std::vector<std::string> split(const std::string& text, char by) {
 const char* const help =
     "raster_bench: this library against llvmpipe, in turn, from clear to finished pixels\n"
     "  --scene A,B      scenes (default all: clear s1 s2 s3 s4 s4q s5 s6b s6a s6f s7 s7d);\n"
-    "                   also torus:N, of about N triangles, layers:N, of N quads, and `models`: m-lambert,\n"
-    "                   m-phong, ..., what each reflectance model costs\n"
+    "                   also fill, one quad, torus:N, of about N triangles, layers:N, of N quads, and `models`:\n"
+    "                   m-lambert, m-phong, ..., what each reflectance model costs\n"
     "  --size WxH,...   default 640x480,1920x1080\n"
-    "  --threads N,...  default 1,2\n"
+    "  --threads N,...  default 1 and as many as the machine has\n"
     "  --frames N       counted frames (default 15), after --warm-up N (default 3)\n"
     "  --bunny FILE     the OBJ file of s2, s3, s5, s7d (default: that of Debian's glmark2-data)\n"
     "  --processor-time time on processors, not on the clock: for a shared machine, with one thread\n"
@@ -213,7 +232,9 @@ const char* const help =
     "  --end-to-end RASTER  whole processes, from the bunny's file to a PNG file: that command against OSMesa with\n"
     "                   stb_image_write, drawing the scene (s3 is what the command draws)\n"
     "  --alone          ours only, for profiling\n"
-    "  --json           figures as JSON\n";
+    "  --json           figures as JSON\n"
+    "Pictures are compared before frames are timed. One that differs gives an error, and the exit code is 1. `limit`\n"
+    "is the time of the least work that fills the same pixels, where there is such a thing.\n";
 
 bool parse(int argc, char** argv, Options& options) {
     for (int i = 1; i < argc; ++i) {
@@ -224,6 +245,8 @@ bool parse(int argc, char** argv, Options& options) {
             options.child = true;
         } else if (flag == "--alone") {
             options.alone = true;
+        } else if (flag == "--check") {
+            options.check = true;
         } else if (flag == "--first") {
             options.first = true;
         } else if (flag == "--processor-time") {
@@ -263,22 +286,31 @@ bool parse(int argc, char** argv, Options& options) {
 }
 
 void print_table(const json& rows) {
-    std::printf("%-25s %-42s %10s %2s %9s %9s %7s %9s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms",
-                "rival ms", "ratio", "Mtri/s", "Mpix/s", "drawn", "color max, depth pixels");
+    std::printf("%-25s %-42s %10s %2s %9s %9s %7s %9s %7s %9s %9s %9s  %s\n", "scene", "what", "size", "th", "ours ms",
+                "rival ms", "ratio", "limit ms", "/limit", "Mtri/s", "Mpix/s", "drawn",
+                "color max, depth pixels");
     double log_all = 0, log_rest = 0;
     int all = 0, rest = 0;
     for (const json& r : rows) {
         if (r.contains("error")) {
-            std::printf("error: %s\n", r["error"].get<std::string>().c_str());
+            std::printf("%-25s %dx%d, threads %d: error: %s\n", r["scene"].get<std::string>().c_str(), int(r["width"]),
+                        int(r["height"]), int(r["threads"]), r["error"].get<std::string>().c_str());
             continue;
         }
         const double ours = r["ours_best"], ratio = r.value("ratio", 0.0);
         const std::string name = r["scene"];
         const int w = r["width"], h = r["height"];
-        std::printf("%-25s %-42s %5dx%-4d %2d %9.2f %9.2f %7.2f %9.2f %9.1f %9.1f  %d, %d\n", name.c_str(),
+        std::printf("%-25s %-42s %5dx%-4d %2d %9.2f %9.2f %7.2f ", name.c_str(),
                     r["what"].get<std::string>().c_str(), w, h, int(r["threads"]), ours, r.value("rival_best", 0.0),
-                    ratio, double(r["triangles"]) / ours / 1e3, w * h / ours / 1e3, r.value("drawn", 0.0) / ours / 1e3,
-                    r.value("largest_color_difference", 0), r.value("depth_pixels_different", 0));
+                    ratio);
+        if (r.contains("limit")) {
+            std::printf("%9.2f %7.2f ", double(r["limit"]), double(r["over_limit"]));
+        } else {
+            std::printf("%9s %7s ", "", "");
+        }
+        std::printf("%9.2f %9.1f %9.1f  %d, %d\n", double(r["triangles"]) / ours / 1e3, w * h / ours / 1e3,
+                    r.value("drawn", 0.0) / ours / 1e3, r.value("largest_color_difference", 0),
+                    r.value("depth_pixels_different", 0));
         if (ratio > 0) {
             log_all += std::log(ratio), ++all;
             if (name.rfind("s6", 0) != 0) log_rest += std::log(ratio), ++rest;
@@ -310,14 +342,19 @@ int main(int argc, char** argv) {
                     measure(options, options.scenes.front(), width, height, options.threads.front()).dump().c_str());
         return 0;
     }
+    bool failed = false;
     json rows = json::array();
     for (const auto& [width, height] : options.sizes)
         for (const int threads : options.threads)
             for (const std::string& scene : options.scenes) {
                 Options here = options;
                 here.threads = {threads};
-                rows.push_back(options.raster.empty() ? run(options, scene, width, height, threads)
-                                                      : run_end_to_end(here, scene, width, height));
+                json row = options.raster.empty() ? run(options, scene, width, height, threads)
+                                                  : run_end_to_end(here, scene, width, height);
+                if (row.contains("error"))
+                    row.update({{"scene", scene}, {"width", width}, {"height", height}, {"threads", threads}});
+                failed = failed || row.contains("error");
+                rows.push_back(std::move(row));
                 if (!options.as_json) std::fprintf(stderr, "."), std::fflush(stderr);
             }
     if (!options.as_json) std::fprintf(stderr, "\n");
@@ -326,5 +363,5 @@ int main(int argc, char** argv) {
     } else {
         print_table(rows);
     }
-    return 0;
+    return failed ? 1 : 0;
 }

@@ -204,6 +204,9 @@ raster::Result<Scene> make_scene(const std::string& name, const std::string& bun
     } else if (name == "s5") {
         scene.what = "bunny subdivided twice, Gouraud";
         scene.shading = Shading::gouraud;
+    } else if (name == "fill") {
+        scene.what = "one full-screen quad";
+        layers(scene, 1, true);
     } else if (name == "s6b") {
         scene.what = "64 full-screen quads, back to front";
         layers(scene, 64, true);

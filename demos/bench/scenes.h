@@ -51,7 +51,8 @@ std::vector<std::string> reflectance_scene_names();
 /// The indices of refraction of m-cook-torrance: gold.
 inline const glm::vec3 metal_n(0.156f, 0.424f, 1.383f), metal_k(3.602f, 2.472f, 1.916f);
 
-/// Builds a scene, one of those or "torus:N" of about N triangles or "layers:N" of N quads; `bunny` is the path of an OBJ file that the scenes s2, s3, s5 and s7d show.
+/// Builds a scene, one of those or "fill", one quad over the whole picture, "torus:N" of about N triangles or
+/// "layers:N" of N quads; `bunny` is the path of an OBJ file that the scenes s2, s3, s5 and s7d show.
 raster::Result<Scene> make_scene(const std::string& name, const std::string& bunny);
 
 }  // namespace bench
