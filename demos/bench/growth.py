@@ -28,7 +28,10 @@ def measure(bench, options):
     for name, sweep in SWEEPS.items():
         command = [bench, "--json", "--alone", "--frames", "7", "--warm-up", "2", "--scene", ",".join(sweep["scenes"]),
                    "--size", ",".join(sweep["sizes"]), "--threads", ",".join(map(str, sweep["threads"])), *options]
-        rows[name] = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+        run = subprocess.run(command, capture_output=True, text=True)
+        if run.returncode not in (0, 1):  # 1: a row says what is wrong
+            sys.exit(run.stderr)
+        rows[name] = json.loads(run.stdout)
     return rows
 
 
