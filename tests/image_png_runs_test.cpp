@@ -3,6 +3,7 @@
 #include <raster/image/png.h>
 #include <raster/image/png_runs.h>
 #include <raster/testing/matchers.h>
+#include <raster/tiles/parallel.h>
 
 #include <libdeflate.h>
 
@@ -14,7 +15,12 @@
 #include <vector>
 
 #if !defined(RASTER_NO_THREADS)
+#include <latch>
+#include <thread>
+
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <gtest/gtest.h>
@@ -185,6 +191,44 @@ TEST(PngRuns, AreTheSameForEveryNumberOfThreads) {
         EXPECT_TRUE(arena.execute([&] { return pack_runs(image); }) == all) << threads;
     }
 }
+
+#if !defined(RASTER_PLAIN_THREADS)
+// A thread that waits for the bands of one picture may be given another picture to write in the meantime.
+TEST(PngRuns, PicturesWrittenAtOnceAreThoseWrittenOneByOne) {
+    Random random(45);
+    const Image8 large = patterned(1500, 500, 3, random), small = patterned(20, 10, 4, random);
+    raster::Image16 deep(24, 12, 3);
+    for (std::uint16_t& sample : deep.samples) sample = std::uint16_t(random.integer(0, 65535));
+    const auto write = [&](int i) {
+        if (i % 4 == 0) return *raster::encode_png_fast(large);
+        if (i % 4 == 1) return *raster::encode_png(deep);
+        return i % 4 == 2 ? *raster::encode_png(small) : *raster::encode_png_fast(small);
+    };
+    const Bytes expected[] = {write(0), write(1), write(2), write(3)};
+    // One thread leaves many pictures for others to take and waits, until a second has written its large ones.
+    const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
+    tbb::task_arena arena(4, 2);
+    std::vector<Bytes> files(3000), large_files(20);
+    std::latch left(1), written(1);
+    std::thread other([&] {
+        arena.execute([&] {
+            tbb::task_group group;
+            for (std::size_t i = 0; i < files.size(); ++i) group.run([&, i] { files[i] = write(1 + int(i % 3)); });
+            left.count_down();
+            written.wait();
+            group.wait();
+        });
+    });
+    left.wait();
+    arena.execute([&] {
+        for (Bytes& file : large_files) file = write(0);
+    });
+    written.count_down();
+    other.join();
+    for (std::size_t i = 0; i < files.size(); ++i) ASSERT_TRUE(files[i] == expected[1 + i % 3]) << i;
+    for (const Bytes& file : large_files) ASSERT_TRUE(file == expected[0]);
+}
+#endif
 #endif
 
 }  // namespace
