@@ -22,7 +22,7 @@
 
 namespace raster {
 
-/// Any reflectance model, with its parameters. A new model is a file, its #include and an entry here;
+/// Any reflectance model, with its parameters. A new model is a file, its include line and an entry here;
 /// docs/reflectance.md tells what tests ask for besides.
 using AnyReflectance = std::variant<  //
     Lambert,                          //
