@@ -38,7 +38,8 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 
 std::vector<std::string> material_names(const ObjData& data) {
     std::vector<std::string> names;
-    for (const MaterialEntry& entry : data.library.entries) names.push_back(entry.file + ":" + entry.material.name);
+    for (const MaterialEntry& entry : data.material_library.entries)
+        names.push_back(entry.file + ":" + entry.material.name);
     return names;
 }
 

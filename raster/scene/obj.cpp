@@ -41,13 +41,13 @@ std::string no_geometry(const LoadReport& report, bool is_empty_file) {
 
 /// From names to materials. A name that no file defines, and none at all, is the default material.
 void assign_materials(const ObjData& data, std::string_view file, Model& model, Log& log) {
-    for (const MaterialEntry& entry : data.library.entries) model.materials.push_back(entry.material);
+    for (const MaterialEntry& entry : data.material_library.entries) model.materials.push_back(entry.material);
     std::vector<bool> is_reported(data.material_names.size());
     for (Part& part : model.parts) {
         if (part.material < 0) continue;
         const auto name = std::size_t(part.material);
-        const auto found = data.library.index.find(data.material_names[name]);
-        part.material = found == data.library.index.end() ? -1 : found->second;
+        const auto found = data.material_library.index.find(data.material_names[name]);
+        part.material = found == data.material_library.index.end() ? -1 : found->second;
         if (part.material >= 0 || is_reported[name]) continue;
         is_reported[name] = true;
         log.warn({file, data.material_lines[name]},
@@ -61,7 +61,7 @@ void load_textures(const ObjData& data, const Finder* finder, const ObjOptions& 
         if (part.material >= 0) is_used[std::size_t(part.material)] = true;
     Textures textures(finder, options, model, log);
     for (std::size_t m = 0; m < is_used.size(); ++m)
-        if (is_used[m]) textures.load(data.library.entries[m], model.materials[m]);
+        if (is_used[m]) textures.load(data.material_library.entries[m], model.materials[m]);
 }
 
 /// The steps, in order. After an error the log has it, and the rest does not matter. `free_text` is called when

@@ -53,7 +53,7 @@ struct ObjData {
     std::vector<std::string> names;
     std::vector<std::string> material_names;
     std::vector<std::uint32_t> material_lines;  ///< where each name is used first
-    MaterialLibrary library;
+    MaterialLibrary material_library;
 
     std::size_t bad_positions = 0;
     std::size_t bad_position_line = 0;  ///< the first

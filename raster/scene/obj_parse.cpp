@@ -104,7 +104,7 @@ private:
     void take_over(Ahead& ahead) {
         log_.take_over(ahead.report, lines_);
         for (const Mtllib& mtllib : ahead.read.mtllibs)
-            material_files_.read(mtllib.names, {file_, lines_ + mtllib.line}, collect_.data().library, log_);
+            material_files_.read(mtllib.names, {file_, lines_ + mtllib.line}, collect_.data().material_library, log_);
         collect_.take_over(ahead.collect, lines_);
         if (first_line_with_zeros_ == 0 && ahead.read.first_line_with_zeros > 0)
             first_line_with_zeros_ = lines_ + ahead.read.first_line_with_zeros;

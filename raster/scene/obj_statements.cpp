@@ -215,7 +215,7 @@ private:
     bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>*, std::string*,
                     std::string*) override {
         if (material_files_) {
-            material_files_->read(mtllib_names_, here(), collect_.data().library, log_);
+            material_files_->read(mtllib_names_, here(), collect_.data().material_library, log_);
         } else {
             read_.mtllibs.push_back({std::string(mtllib_names_), here().line});
         }
