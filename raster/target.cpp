@@ -5,6 +5,8 @@
 #include <mutex>
 #include <utility>
 
+#include <raster/tiles/isolated.h>
+
 namespace raster {
 
 void Target::clear(glm::vec4 color, float depth) {
@@ -49,7 +51,10 @@ std::mutex one_writer;
 void Target::write_pending_color() {
     const std::lock_guard lock(one_writer);
     if (!pending_) return;
-    write_clear_color(0, 0, width_, height_);
+    // A small picture is written before another thread wakes.
+    const int rows = pixels() < (std::size_t(1) << 20) ? height_ : tiles::tile_size;
+    tiles::isolated_parallel_for(std::size_t((height_ + rows - 1) / rows),
+                                 [&](std::size_t i) { write_clear_color(0, int(i) * rows, width_, rows); });
     std::fill(depth_waits_.begin(), depth_waits_.end(), char(1));
     std::atomic_ref(depths_wait_).store(true, std::memory_order_release);
     std::atomic_ref(pending_).store(false, std::memory_order_release);

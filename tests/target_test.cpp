@@ -109,6 +109,14 @@ TEST(Target, ACopyIsItsOwn) {
     EXPECT_EQ(c.color8()[3], 0xffffffffu);
 }
 
+TEST(Target, LargeClearsAreWrittenToTheLastPixel) {
+    Target t(2000, 1001, ColorFormat::rgba8, DepthFormat::unorm24, 1);
+    t.extra(0).assign(t.extra(0).size(), 5);
+    t.clear({1, 0, 1, 0});
+    EXPECT_EQ(t.color8(), std::vector<std::uint32_t>(2000 * 1001, 0x00ff00ffu));
+    EXPECT_EQ(t.extra(0), std::vector<float>(2000 * 1001, 0.0f));
+}
+
 /// A rectangle at one depth, in window coordinates of a target of 200 x 100 pixels.
 void draw_box(Target& t, float x0, float x1, float ndc_z) {
     const auto corner = [&](float x, float y) {
