@@ -11,8 +11,8 @@
 
 namespace raster::tiles {
 
-/// As parallel_for, but a thread that waits for the last calls takes up no other loop's work, which might want a lock that
-/// this thread holds.
+/// As parallel_for, but a thread that waits for the last calls takes up no other loop's work, which might want a lock
+/// that this thread holds.
 template <class Body>
 inline void isolated_parallel_for(std::size_t count, const Body& body) {
 #if defined(RASTER_NO_THREADS) || defined(RASTER_PLAIN_THREADS)
