@@ -202,16 +202,36 @@ TEST(ObjCorners, TheFourForms) {
     EXPECT_EQ(states("0/0/0"), std::tuple(true, bad, bad, bad));
     EXPECT_EQ(states("2147483648/99999999999/-2147483648"), std::tuple(true, bad, bad, bad));
     EXPECT_EQ(states("2147483647/x/1.5"), std::tuple(true, good, bad, bad));
+    EXPECT_EQ(states("+-7//--3"), std::tuple(true, bad, missing, bad));
     EXPECT_FALSE(std::get<0>(states("1/2/3/4")));
     EXPECT_FALSE(std::get<0>(states("/2/3")));
 }
 
+TEST(ObjCorners, AreNumbersAsWritten) {
+    const auto indices = [](const char* word) {
+        const CornerWord c = parse_corner(word);
+        return std::tuple(c.index[0], c.index[1], c.index[2]);
+    };
+    EXPECT_EQ(indices("7"), std::tuple(7, 0, 0));
+    EXPECT_EQ(indices("-7/+2"), std::tuple(-7, 2, 0));
+    EXPECT_EQ(indices("2147483647//-2147483647"), std::tuple(2147483647, 0, -2147483647));
+    EXPECT_EQ(indices("7/x/1.5"), std::tuple(7, 0, 0));
+}
+
+/// Whether all the words are plain corners, and those.
+bool read_plain(std::string_view text, std::vector<Corner>& corners) {
+    const char* const end = text.data() + text.size();
+    corners.clear();
+    return read_plain_corners(text.data(), end, corners) == end;
+}
+
 TEST(ObjCorners, PlainOnesHaveNoFault) {
+    std::vector<Corner> corners;
     for (const char* text : {"1 2 3", "-1 +2 3", "1/2 3/4  5/6", "1//2\t3//4", "123456789/1/-1 2"})
-        EXPECT_TRUE(has_plain_corners(text)) << text;
+        EXPECT_TRUE(read_plain(text, corners)) << text;
     for (const char* text : {"",     "0",  "1 0",     "1/0", "1//0", "1/2/0", "x",          "1x",  "1/",  "1//", "1/2/",
                              "/1",   "+",  "1/2/3/4", "1 -", "01",   "1 # 2", "1234567890", "1.5", "--1", "+-1"})
-        EXPECT_FALSE(has_plain_corners(text)) << text;
+        EXPECT_FALSE(read_plain(text, corners)) << text;
     testing::Random random(5);
     int plain = 0;
     for (int i = 0; i < 300'000; ++i) {
@@ -219,14 +239,18 @@ TEST(ObjCorners, PlainOnesHaveNoFault) {
         for (int length = random.integer(0, 8); length > 0; --length)
             text += "  \t1203456789//-+"[random.integer(0, 16)];
         std::string_view words = trimmed(text);
-        if (!has_plain_corners(words)) continue;
+        if (!read_plain(words, corners)) continue;
         ++plain;
-        while (!words.empty()) {
+        for (const Corner& read : corners) {
             const CornerWord corner = parse_corner(next_word(words));
+            ASSERT_TRUE(read.position == corner.index[0] && read.uv == corner.index[1] &&
+                        read.normal == corner.index[2])
+                << text;
             ASSERT_TRUE(corner.well_formed) << text;
             for (const auto state : corner.state) ASSERT_NE(state, CornerWord::Index::bad) << text;
             ASSERT_EQ(corner.state[0], CornerWord::Index::good) << text;
         }
+        ASSERT_TRUE(words.empty()) << text;
     }
     EXPECT_GT(plain, 10'000);
 }

@@ -16,12 +16,6 @@
 
 namespace raster::obj {
 
-/// Indices from 0 into the arrays of ObjData; -1 is missing. Not yet checked against the arrays' ends, since a face
-/// may come before its vertices.
-struct Corner {
-    std::int32_t position, uv, normal;
-};
-
 /// Faces from `first_face` on, up to the next run, with the same name, material and smoothing group.
 struct Run {
     std::uint32_t first_face;
@@ -46,7 +40,9 @@ struct ObjData {
     std::vector<glm::vec3> colors;          ///< one a position, or empty when no vertex has one
     std::vector<glm::vec2> uvs;             ///< NaN likewise
     std::vector<glm::vec3> normals;         ///< unit length, or NaN
-    std::vector<Corner> corners;            ///< of all faces, one after the other
+    /// Of all faces, one after the other: indices from 0 into the arrays above; -1 is missing. Not yet checked against
+    /// the arrays' ends, since a face may come before its vertices.
+    std::vector<Corner> corners;
     std::vector<std::uint32_t> face_ends;   ///< a face: where its corners end
     std::vector<std::uint32_t> face_lines;  ///< a face: its line
     std::vector<Run> runs;
@@ -79,7 +75,7 @@ public:
     void uv(const Numbers& numbers);        ///< vt u or vt u v
     void normal(const Numbers& numbers);    ///< vn x y z
 
-    /// f, with its corners as they are written: from 1 on, or counting back from -1; 0 is missing.
+    /// f, with its corners as they are written.
     void face(std::span<const Corner> corners);
     void material(std::string_view name);    ///< usemtl
     void name(std::string_view text);        ///< o and g

@@ -2,11 +2,12 @@
 //
 // tinyobjloader tells statements apart and takes them to pieces. By itself it says nothing of bad numbers and
 // indices, does not know the line, and opens whatever a file names; so it gets clean statements only, and while it
-// calls back about one, the checked numbers and the line of this statement are at hand.
+// calls back about one, the checked numbers or corners and the line of this statement are at hand.
 #include <raster/scene/obj_statements.h>
 
 #include <algorithm>
 #include <istream>
+#include <span>
 #include <streambuf>
 
 #include <tiny_obj_loader.h>
@@ -23,8 +24,9 @@ constexpr std::string_view unused_statements[] = {
     "scrv",       "sp",        "end",   "con",   "mg",   "bevel", "c_interp", "d_interp", "lod",  "maplib", "usemap",
     "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",   "bzp",      "bsp",      "cdc",  "cdp",    "res"};
 
-// Stands where numbers stood, which are read already, see parse_number.
-constexpr std::string_view no_numbers = " \n";
+// Stand where numbers and corners stood, which are read already, see parse_number. Of a face without any tinyobjloader
+// does not call back.
+constexpr std::string_view no_numbers = " \n", a_corner = " 1\n";
 
 std::string join(std::string_view a, std::string_view b) { return std::string(a) + std::string(b); }
 
@@ -50,7 +52,7 @@ public:
         callbacks.normal_cb = [](void* p, float, float, float) {
             if (const Numbers* n = self(p).next_numbers()) self(p).collect_.normal(*n);
         };
-        callbacks.index_cb = [](void* p, tinyobj::index_t* corners, int count) { self(p).face(corners, count); };
+        callbacks.index_cb = [](void* p, tinyobj::index_t*, int) { self(p).face(); };
         callbacks.usemtl_cb = [](void* p, const char* name, int) { self(p).collect_.material(name); };
         callbacks.group_cb = [](void* p, const char** names, int count) { self(p).group(names, count); };
         callbacks.object_cb = [](void* p, const char* name) { self(p).collect_.name(name); };
@@ -75,7 +77,7 @@ private:
         while (!log_.failed()) {
             tell_progress();
             called_back_ = 0;
-            numbers_.clear();
+            numbers_.clear(), corners_.clear(), corner_ends_.clear();
             first_line_ = lines_.lines_taken() + 1;
             std::string_view statements = take_plain_lines();
             if (statements.empty()) {
@@ -104,22 +106,25 @@ private:
         for (constexpr std::size_t most = 128; lines < most; ++lines) {
             const std::ptrdiff_t key = kind == 'v' && end - line > 2 && (line[1] == 't' || line[1] == 'n') ? 2 : 1;
             if (end - line <= key || *line != kind || !is_blank(line[key])) break;
-            const char* at = line + key;
-            while (at != end && is_blank(*at)) ++at;
+            const char* const stop = std::size_t(end - line) > max_line_bytes_ ? line + max_line_bytes_ + 1 : end;
+            const char* at = std::min(line + key, stop);
+            while (at != stop && is_blank(*at)) ++at;
             Numbers numbers;
-            at = kind == 'f' ? skip_plain_corners(at, end) : read_plain_numbers(at, end, numbers);
+            at = kind == 'f' ? read_plain_corners(at, stop, corners_) : read_plain_numbers(at, stop, numbers);
             if (!at) break;
-            if (end - at > 1 && *at == '\r') ++at;
-            if (at == end || *at != '\n' || std::size_t(at - line) > max_line_bytes_) break;
+            if (stop - at > 1 && *at == '\r') ++at;
+            if (at == stop || *at != '\n') break;
             if (kind == 'v') {
                 numbers_.push_back(numbers);
-                statement_.append(line, std::size_t(key)).append(no_numbers);
+            } else {
+                corner_ends_.push_back(corners_.size());
             }
+            statement_.append(line, std::size_t(key)).append(kind == 'v' ? no_numbers : a_corner);
             line = at + 1;
         }
-        const std::string_view taken = rest.substr(0, std::size_t(line - rest.data()));
-        lines_.skip(taken.size(), lines);
-        return kind == 'v' ? std::string_view(statement_) : taken;
+        corners_.resize(corner_ends_.empty() ? 0 : corner_ends_.back());  // without those of a line that is left
+        lines_.skip(std::size_t(line - rest.data()), lines);
+        return statement_;
     }
 
     /// Makes statement_ what tinyobjloader shall see. False if it need not see it.
@@ -162,16 +167,11 @@ private:
         }
     }
 
-    /// The corners in their plainest form. A position that cannot be is the end; anything else counts as missing.
+    /// A position that cannot be is the end; anything else counts as missing.
     void prepare_face(std::string_view text) {
-        if (has_plain_corners(text)) {
-            (statement_ = "f ") += text;
-            return;
-        }
-        statement_ = "f";
         for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
             const CornerWord corner = parse_corner(word);
-            const auto bad = CornerWord::Index::bad, good = CornerWord::Index::good;
+            const auto bad = CornerWord::Index::bad;
             if (!corner.well_formed)
                 return log_.fail(here(), in_quotes(word) + " is not a corner such as 7, 7/2, 7//3 or 7/2/3");
             if (corner.state[0] == bad)
@@ -179,12 +179,10 @@ private:
                                  in_quotes(corner.part[0]) + " is not the number of a vertex; they count from 1");
             if (corner.state[1] == bad) report_bad_uv_index(here(), log_);
             if (corner.state[2] == bad) report_bad_normal_index(here(), log_);
-            statement_.append(" ").append(corner.part[0]);
-            if (corner.state[1] == good) statement_.append("/").append(corner.part[1]);
-            if (corner.state[2] == good) statement_.append(corner.state[1] == good ? "/" : "//").append(corner.part[2]);
+            corners_.push_back({corner.index[0], corner.index[1], corner.index[2]});
         }
-        // tinyobjloader passes over a face without corners.
-        if (statement_ == "f") collect_.face({});
+        corner_ends_.push_back(corners_.size());
+        statement_ = "f 1";
     }
 
     // ------------------------------------------------------------------------------ what tinyobjloader found
@@ -197,12 +195,10 @@ private:
 
     const Numbers* next_numbers() { return go_on() ? &numbers_[called_back_ - 1] : nullptr; }
 
-    void face(const tinyobj::index_t* corners, int count) {
+    void face() {
         if (!go_on()) return;
-        corners_.resize(std::size_t(count));
-        for (std::size_t i = 0; i < corners_.size(); ++i)
-            corners_[i] = {corners[i].vertex_index, corners[i].texcoord_index, corners[i].normal_index};
-        collect_.face(corners_);
+        const std::size_t first = called_back_ > 1 ? corner_ends_[called_back_ - 2] : 0;
+        collect_.face(std::span(corners_).subspan(first, corner_ends_[called_back_ - 1] - first));
     }
 
     void group(const char* const* names, int count) {
@@ -238,12 +234,13 @@ private:
     PieceRead read_;
 
     // What tinyobjloader reads at present: one statement, or some of one kind in lines that follow each other.
-    std::string statement_;         ///< their text, if it is not that of the file
+    std::string statement_;         ///< what stands for their text
     std::vector<Numbers> numbers_;  ///< theirs
+    std::vector<Corner> corners_;   ///< theirs, one face after the other
+    std::vector<std::size_t> corner_ends_;  ///< a face
     std::size_t first_line_ = 0;    ///< of the first
     std::size_t called_back_ = 0;   ///< about how many of them
     std::string_view mtllib_names_;
-    std::vector<Corner> corners_;
     std::size_t next_progress_ = 0;
 };
 

@@ -34,14 +34,15 @@ bool is_large(std::string_view number) {
     return (is_negative ? -exponent : exponent) + (point - first) > 0;
 }
 
-CornerWord::Index check_index(std::string_view part) {
+CornerWord::Index parse_index(std::string_view part, std::int32_t& index) {
     if (part.empty()) return CornerWord::Index::missing;
-    if (part.front() == '+') part.remove_prefix(1);
+    if (part.front() == '+' && !part.starts_with("+-")) part.remove_prefix(1);
     std::int32_t value = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
     const bool is_integer = error == std::errc() && end == part.data() + part.size();
-    return is_integer && value != 0 && value != std::numeric_limits<std::int32_t>::min() ? CornerWord::Index::good
-                                                                                         : CornerWord::Index::bad;
+    if (!is_integer || value == 0 || value == std::numeric_limits<std::int32_t>::min()) return CornerWord::Index::bad;
+    index = value;
+    return CornerWord::Index::good;
 }
 
 /// Reads [sign] digits [. digits] up to a blank or an end, as most files have their numbers. Null if what stands there
@@ -125,36 +126,36 @@ const char* read_plain_numbers(const char* at, const char* end, Numbers& numbers
     }
 }
 
-const char* skip_plain_corners(const char* at, const char* end) {
-    const auto skip_index = [&] {
-        if (at != end && (*at == '-' || *at == '+')) ++at;
-        const char* const first = at;
+const char* read_plain_corners(const char* at, const char* end, std::vector<Corner>& corners) {
+    const auto read_index = [&](std::int32_t& index) {
+        const bool is_negative = at != end && *at == '-';
+        if (is_negative || (at != end && *at == '+')) ++at;
         if (at != end && *at == '0') return false;
-        while (at != end && is_digit(*at)) ++at;
+        const char* const first = at;
+        std::uint32_t value = 0;
+        for (; at != end && is_digit(*at); ++at) value = 10 * value + std::uint32_t(*at - '0');
+        index = is_negative ? -std::int32_t(value) : std::int32_t(value);
         return at != first && at - first <= 9;
     };
     do {
-        if (!skip_index()) return nullptr;
+        Corner corner{0, 0, 0};
+        if (!read_index(corner.position)) return nullptr;
         if (at != end && *at == '/') {
             ++at;
             const bool has_uv = at != end && *at != '/';
-            if (has_uv && !skip_index()) return nullptr;
+            if (has_uv && !read_index(corner.uv)) return nullptr;
             if (at != end && *at == '/') {
                 ++at;
-                if (!skip_index()) return nullptr;
+                if (!read_index(corner.normal)) return nullptr;
             } else if (!has_uv) {
                 return nullptr;
             }
         }
         if (at != end && !is_blank(*at) && !is_line_end(*at)) return nullptr;
+        corners.push_back(corner);
         while (at != end && is_blank(*at)) ++at;
     } while (at != end && !is_line_end(*at));
     return at;
-}
-
-bool has_plain_corners(std::string_view words) {
-    const char* const end = words.data() + words.size();
-    return skip_plain_corners(words.data(), end) == end;
 }
 
 CornerWord parse_corner(std::string_view word) {
@@ -162,7 +163,7 @@ CornerWord parse_corner(std::string_view word) {
     for (int i = 0; i < 3; ++i) {
         const std::size_t slash = std::min(word.find('/'), word.size());
         corner.part[i] = word.substr(0, slash);
-        corner.state[i] = check_index(corner.part[i]);
+        corner.state[i] = parse_index(corner.part[i], corner.index[i]);
         if (slash == word.size()) {
             corner.well_formed = !corner.part[0].empty();
             return corner;
