@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include <raster/image/pages.h>
 #include <raster/math.h>
 
 namespace raster {
@@ -11,7 +12,7 @@ PackedTexture pack_texture(const Image8& image) {
     if (image.empty() || image.width > max_texture_size || image.height > max_texture_size) return {};
     PackedTexture texture{image.width, image.height, {}};
     const std::size_t count = std::size_t(image.width) * std::size_t(image.height);
-    texture.texels.resize(count);
+    resize_whole(texture.texels, count);
     const bool has_color = image.channels >= 3;
     const bool has_alpha = image.channels == 2 || image.channels == 4;
     for (std::size_t i = 0; i < count; ++i) {
