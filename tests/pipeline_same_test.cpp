@@ -213,6 +213,28 @@ TEST(Same, ShadersWithoutVaryingsOrWithoutColour) {
     EXPECT_GT(pair.drawn, 0);
 }
 
+TEST(Same, OneColourATriangle) {
+    Random random(seed(14));
+    for (const auto blend : {Blend::off, Blend::source_over, Blend::additive})
+        for (const auto color : {ColorFormat::rgba8, ColorFormat::rgba_float})
+            for (const int width : {64, 131, 200, 3})
+                for (const int extra : {0, 1}) {
+                    SCOPED_TRACE(::testing::Message() << "blend " << int(blend) << " colour " << int(color) << " width "
+                                                      << width << " extra " << extra);
+                    Pair pair(width, 75, color, DepthFormat(random.integer(0, 1)), extra);
+                    for (int draw = 0; draw < 6; ++draw) {
+                        State state = random_state(random);
+                        state.blend = blend;
+                        if (draw % 2) state.depth_compare = Compare::always;
+                        const Vertices vertices = mixed_scene(random, 30, width, 75, draw & 1);
+                        pair.draw(Facets{}, Mesh(vertices), state);
+                        if (extra == 0) pair.draw(Uniform{}, Mesh(vertices), state);
+                    }
+                    EXPECT_GT(pair.drawn, 0);
+                    if (::testing::Test::HasFailure()) return;
+                }
+}
+
 TEST(Same, IndicesSharedBadAndInTheHighestThousands) {
     Random random(seed(7));
     for (const auto topology : {Topology::triangles, Topology::triangle_strip, Topology::triangle_fan}) {

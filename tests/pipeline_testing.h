@@ -80,6 +80,32 @@ struct Uniform {
     }
 };
 
+/// A colour a triangle: no varying changes across it.
+struct Facets {
+    template <class F>
+    using Vertex = Full::Vertex<F>;
+    template <class F>
+    struct Varyings {
+        vec<4, F> color;
+    };
+    template <class F>
+    struct Outputs {
+        vec<4, F> color;
+        F red;
+    };
+    static constexpr Interpolation interpolation(int) { return Interpolation::flat; }
+    template <class F>
+    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
+        return {v.position, {v.color}};
+    }
+    template <class F>
+    Outputs<F> fragment(const Varyings<F>& in) const {
+        return {in.color, in.color.x};
+    }
+};
+static_assert(is_constant_fragment<Facets> && is_constant_fragment<Uniform>);
+static_assert(!is_constant_fragment<Smooth> && !is_constant_fragment<Full>);
+
 /// Depth alone.
 struct DepthOnly {
     template <class F>

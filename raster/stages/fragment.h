@@ -28,6 +28,16 @@ inline constexpr int output_count = detail::float_count<detail::FragmentResult<S
 template <HasFragment S, class F>
 using OutputArray = std::array<F, std::size_t(output_count<S>)>;
 
+/// Whether all fragments of a triangle return the same: no varying changes across it, and the shader is not told where a
+/// fragment lies.
+template <HasFragment S>
+inline constexpr bool is_constant_fragment = [] {
+    if (HasPlacedFragment<S>) return false;
+    for (int i = 0; i < varying_count<S>; ++i)
+        if (interpolation_of<S>(i) != Interpolation::flat) return false;
+    return true;
+}();
+
 template <HasFragment S, class F>
 inline OutputArray<S, F> shade_fragment(const S& shader, const VaryingArray<S, F>& varyings,
                                         const FragmentInput<F>& at) {

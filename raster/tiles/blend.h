@@ -29,8 +29,12 @@ class BlendingShader final : public TriangleShader {
 public:
     BlendingShader(const ShadingContext<S>& context, Target& target) : context_(context), target_(target) {}
 
-    void begin(const Slot& slot) override { planes_ = make_shading_planes(context_, slot); }
+    void begin(const Slot& slot) override {
+        planes_ = make_shading_planes(context_, slot);
+        color_ = constant_color(context_.shader, planes_, target_);
+    }
     void shade(int x, int y, std::uint64_t mask) override {
+        if (color_) return fill_block(target_, context_.draw.state.blend, *color_, x, y, mask);
         shade_block(context_.shader, planes_, target_, context_.draw.state.blend, x, y, mask);
     }
 
@@ -38,6 +42,7 @@ private:
     const ShadingContext<S>& context_;
     Target& target_;
     ShadingPlanes<S> planes_;
+    std::optional<std::uint32_t> color_;  ///< of all its pixels, where they have one
 };
 
 }  // namespace raster::tiles

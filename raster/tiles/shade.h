@@ -2,10 +2,12 @@
 #pragma once
 
 #include <bit>
+#include <optional>
 
 #include <raster/stages/blend.h>
 #include <raster/stages/fragment.h>
 #include <raster/tiles/columns.h>
+#include <raster/tiles/fill.h>
 #include <raster/tiles/tile.h>
 
 namespace raster::tiles {
@@ -17,6 +19,26 @@ inline OutputArray<S, F> shade_pixels(const S& shader, const ShadingColumn<S, F>
     FragmentInput<F> at{{column.px + F(0.5f), py + F(0.5f)}, value_at(column.depth, py) + column.depth_offset, oow,
                         column.front_facing, column.triangle};
     return shade_fragment<S, F>(shader, interpolate<S, F>(column.varyings, py, oow), at);
+}
+
+/// Whether all that a draw writes of a fragment is a packed colour.
+template <HasFragment S>
+inline bool writes_rgba8_only(const Target& target) {
+    return target.color_format() == ColorFormat::rgba8 && (output_count<S> == 4 || target.extra_channels() == 0);
+}
+
+/// The packed colour of all pixels of a triangle, where they have one and nothing else is written.
+template <HasFragment S>
+inline std::optional<std::uint32_t> constant_color(const S& shader, const ShadingPlanes<S>& planes,
+                                                   const Target& target) {
+    if constexpr (is_constant_fragment<S>) {
+        if (writes_rgba8_only<S>(target)) {
+            const ShadingColumn<S, FloatN> anywhere(planes, FloatN(0));
+            const OutputArray<S, FloatN> out = shade_pixels<S, FloatN>(shader, anywhere, FloatN(0));
+            return std::uint32_t(lane(pack_rgba8(vec<4, FloatN>(out[0], out[1], out[2], out[3])), 0));
+        }
+    }
+    return std::nullopt;
 }
 
 /// One pack of outputs blended into the target: lane i into the pixel index[i], where bit i of `bits` is set.
@@ -50,7 +72,7 @@ inline void write_pixels(Target& target, const std::array<std::size_t, native_la
 template <HasFragment S>
 inline void write_row(Target& target, std::size_t first, std::uint32_t bits, Blend blend,
                       const OutputArray<S, FloatN>& out) {
-    if (target.color_format() == ColorFormat::rgba8 && (output_count<S> == 4 || target.extra_channels() == 0)) {
+    if (writes_rgba8_only<S>(target)) {
         std::uint32_t* const to = target.raw_color8() + first;
         IntN color = pack_rgba8(vec<4, FloatN>(out[0], out[1], out[2], out[3]));
         constexpr std::uint32_t full = (1u << native_lanes) - 1;
@@ -117,6 +139,8 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
     // Copies, so that the compiler sees that stores to the target change neither.
     S shader = shader_in;
     ShadingPlanes<S> planes = planes_in;
+    if (const auto color = constant_color(shader, planes, target))
+        return fill_block(target, blend, *color, x, y, mask);
     if (!worth_rows(target, x, mask)) {
         for_packs(target, x, y, mask, [&](IntN px, IntN py, std::uint32_t bits, const auto& index) {
             ShadingColumn<S, FloatN> column(planes, to_float(px));
@@ -153,6 +177,8 @@ RASTER_FLATTEN void shade_run(const S& shader_in, const ShadingPlanes<S>& planes
                               int packs) {
     S shader = shader_in;
     ShadingPlanes<S> planes = planes_in;
+    if (const auto color = constant_color(shader, planes, target))
+        return fill_run(target, *color, x, y, packs * native_lanes);
     ShadingColumn<S, FloatN> columns[tile_size / native_lanes];
     for (int p = 0; p < packs; ++p)
         columns[p] = ShadingColumn<S, FloatN>(planes, to_float(IntN(x + p * native_lanes) + lane_index<FloatN>()));
