@@ -83,6 +83,23 @@ void write_block_depth(const TileBuffer& tile, int block, Target& target) {
     }
 }
 
+/// Writes the depths of whole blocks beside each other that show one triangle: row by row, each column's part of the plane
+/// computed once.
+template <DepthFormat format>
+void write_run_depth(const DepthPlane<float>& plane, Target& target, int x, int y, int blocks) {
+    const int packs = blocks * block_size / native_lanes;
+    Column<FloatN> columns[tile_size / native_lanes];
+    for (int p = 0; p < packs; ++p)
+        columns[p] = column_at(Plane<FloatN>{plane.origin, plane.dadx, plane.dady},
+                               to_float(IntN(x + p * native_lanes) + lane_index<FloatN>()));
+    FloatN offset(plane.offset);
+    for (int row = y; row < y + block_size; ++row) {
+        std::int32_t* const to = target.raw_depth() + target.index(x, row);
+        for (int p = 0; p < packs; ++p)
+            store_int(to + p * native_lanes, encode_depth(format, value_at(columns[p], FloatN(float(row))) + offset));
+    }
+}
+
 /// The blocks of a row of the tile, as bits, whose pixels show the clear's colour, or will until they are shaded.
 std::uint32_t blocks_to_clear(const TileBuffer& tile, int by, bool colors_follow) {
     std::uint32_t r = 0;
@@ -129,9 +146,23 @@ void resolve_depth(TileBuffer& tile, Target& target, bool clear_color, bool dept
         if (tile.cleared)
             for_runs(tile, by, untouched,
                      [&](int x, int y, int width, int height) { target.write_clear_depth(x, y, width, height); });
-        for (int bx = 0; bx < blocks_per_row; ++bx)
-            if (!(untouched >> bx & 1) && tile.x + bx * block_size < target.width())
-                write_block_depth(tile, by * blocks_per_row + bx, target);
+        for (int bx = 0; bx < blocks_per_row && tile.x + bx * block_size < target.width(); ++bx) {
+            if (untouched >> bx & 1) continue;
+            const int block = by * blocks_per_row + bx;
+            const int alike = tile.uniform >> block & 1 ? blocks_alike(tile, target, block) : 0;
+            if (alike == 0) {
+                write_block_depth(tile, block, target);
+                continue;
+            }
+            const DepthPlane<float>& plane = tile.slots[std::size_t(tile.block_slot[block])].depth;
+            const int x = tile.x + bx * block_size, y = tile.y + by * block_size;
+            if (target.depth_format() == DepthFormat::unorm24) {
+                write_run_depth<DepthFormat::unorm24>(plane, target, x, y, alike);
+            } else {
+                write_run_depth<DepthFormat::float32>(plane, target, x, y, alike);
+            }
+            bx += alike - 1;
+        }
     }
 }
 
