@@ -72,10 +72,4 @@ inline Mask<F> all_pass(Compare compare, const DepthRange<F>& incoming, const De
     return Mask<F>(false);
 }
 
-/// What a stored range becomes when some of its pixels are replaced by incoming ones that passed.
-inline DepthRange<float> merged(Compare compare, DepthRange<float> incoming, DepthRange<float> stored) {
-    const bool only_lowers = compare == Compare::less || compare == Compare::less_equal;
-    return {std::min(incoming.min, stored.min), only_lowers ? stored.max : std::max(incoming.max, stored.max)};
-}
-
 }  // namespace raster::tiles

@@ -16,8 +16,10 @@ public:
 
     using SlotMaker::SlotMaker;
 
-    void pack(int i, MaskN passed) {
-        if constexpr (colors) store_int(tile_.slot + i, select(passed, IntN(slot()), load_int<FloatN>(tile_.slot + i)));
+    /// What is written where a pixel passes.
+    IntN owner() { return IntN(colors ? slot() : 0); }
+    void pack(int i, MaskN passed, IntN owner) {
+        if constexpr (colors) store_int(tile_.slot + i, select(passed, owner, load_int<FloatN>(tile_.slot + i)));
     }
     void pixel(int i) {
         if constexpr (colors) tile_.slot[i] = slot();
@@ -33,7 +35,8 @@ public:
     BlendSink(TileBuffer& tile, const PixelBox& limits, TriangleShader& shader)
         : SlotMaker(tile), limits_(limits), shader_(shader) {}
 
-    void pack(int i, MaskN passed) { add(i, bitmask(passed)); }
+    IntN owner() const { return IntN(0); }
+    void pack(int i, MaskN passed, IntN) { add(i, bitmask(passed)); }
     void pixel(int i) { add(i, 1); }
     /// All pixels of the block at (x, y) of the tile.
     void block(int x, int y) {
@@ -43,7 +46,7 @@ public:
     }
     void end() {
         if (touched_ == 0) return;
-        shader_.begin(current());
+        shader_.begin(triangle_);
         for (; touched_; touched_ &= touched_ - 1) {
             const int b = std::countr_zero(touched_), x = tile_.x + block_x(b), y = tile_.y + block_y(b);
             shader_.shade(x, y, pixels_[b] & pixels_in(limits_, x, y));

@@ -28,31 +28,24 @@ class SlotMaker {
 public:
     explicit SlotMaker(TileBuffer& tile) : tile_(tile) {}
 
-    /// `triangle` outlives all that is said about it, up to end().
-    void begin(const TileTriangle& triangle, std::uint32_t chunk) {
-        triangle_ = &triangle;
-        chunk_ = chunk;
+    /// The triangle of all that is said up to end().
+    void begin(const Slot& triangle) {
+        triangle_ = triangle;
         slot_ = 0;
     }
     std::int32_t slot() {
         if (slot_ == 0) {
             slot_ = std::int32_t(tile_.slots.size());
-            Slot& made = tile_.slots.emplace_back();
-            made.depth = triangle_->depth;
-            made.chunk = chunk_;
-            made.entry = triangle_->entry;
-            made.front_facing = triangle_->front_facing;
+            tile_.slots.push_back(triangle_);
         }
         return slot_;
     }
-    Slot current() const { return {triangle_->depth, chunk_, triangle_->entry, triangle_->front_facing}; }
 
 protected:
     TileBuffer& tile_;
+    Slot triangle_;
 
 private:
-    const TileTriangle* triangle_ = nullptr;
-    std::uint32_t chunk_ = 0;
     std::int32_t slot_ = 0;
 };
 
@@ -67,9 +60,11 @@ public:
         return t.x0 > t.x1 || t.y0 > t.y1 || none_passes(depth_.compare, t.range, tile_.whole_range);
     }
 
-    void draw(const TileTriangle& t, std::uint32_t chunk) {
+    /// A triangle of two blocks' extent or more.
+    void draw_large(const TileTriangle& t, std::uint32_t chunk) {
         if (hides(t)) return;
-        sink_.begin(t, chunk);
+        measure_stale_blocks();
+        sink_.begin({t.depth, chunk, t.entry, t.front_facing});
         if (t.covers_tile && depth_.write && Sink::remembers) {
             const auto incoming = depth_range(depth_.format, t.depth, tile_.x, tile_.y, tile_.x + tile_size - 1,
                                               tile_.y + tile_size - 1);
@@ -81,27 +76,55 @@ public:
             }
         }
         if (tile_.whole) split_tile(tile_);
-        if (t.x1 - t.x0 < 2 * block_size && t.y1 - t.y0 < 2 * block_size) {
-            draw_small(t);
-        } else {
-            for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
-                for (int bx = 0; bx < blocks_per_row; bx += native_lanes) draw_blocks(t, bx, by);
-            if (depth_.write) measure_tile(tile_);
+        for (int by = t.y0 / block_size; by <= t.y1 / block_size; ++by)
+            for (int bx = 0; bx < blocks_per_row; bx += native_lanes) draw_blocks(t, bx, by);
+        if (depth_.write) measure_tile(tile_);
+        sink_.end();
+    }
+
+    /// The lanes of a pack whose triangles may have a pixel that passes.
+    std::uint32_t may_pass(const PackSetup& pack) const {
+        const DepthRange<FloatN> stored{IntN(tile_.whole_range.min), IntN(tile_.whole_range.max)};
+        return pack.with_pixels & ~bitmask(none_passes(depth_.compare, pack.range, stored));
+    }
+
+    /// A lane of a pack, of less than two blocks' extent: every pixel of its box, row by row.
+    void draw_small(const PackSetup& pack, int lane, std::uint32_t entry, std::uint32_t chunk) {
+        if (tile_.whole) split_tile(tile_);
+        const int y0 = pack.y0.v[lane], y1 = pack.y1.v[lane], left = pack.left.v[lane];
+        const std::uint64_t blocks = blocks_between(pack.x0.v[lane], y0, pack.x1.v[lane], y1);
+        const DepthRange<float> incoming{pack.range.min.v[lane], pack.range.max.v[lane]};
+        bool hidden = true;
+        for (std::uint64_t rest = blocks; hidden && rest; rest &= rest - 1)
+            hidden = none_passes(depth_.compare, incoming, tile_.block_range(std::countr_zero(rest)));
+        if (hidden) return;
+        for (std::uint64_t rest = blocks & tile_.uniform; rest; rest &= rest - 1)
+            expand_block(tile_, std::countr_zero(rest), depth_.format);
+        stale_ |= blocks;
+        sink_.begin(pack.slot(lane, entry, chunk));
+        const Rows rows{{IntN(pack.edges[0].step_y.v[lane]), IntN(pack.edges[1].step_y.v[lane]),
+                         IntN(pack.edges[2].step_y.v[lane])},
+                        FloatN(pack.depth.offset.v[lane]), y0, y1};
+        const Plane<FloatN> plane{pack.depth.origin.v[lane], pack.depth.dadx.v[lane], pack.depth.dady.v[lane]};
+        for (int x = left; x <= pack.x1.v[lane]; x += native_lanes) {
+            const IntN across = lane_index<FloatN>() + IntN(x - left);
+            std::array<IntN, 3> e;
+            for (std::size_t i = 0; i < 3; ++i)
+                e[i] = IntN(pack.starts[i].v[lane]) + IntN(pack.edges[i].step_x.v[lane]) * across;
+            draw_rows(rows, e, column_at(plane, to_float(IntN(tile_.x + left) + across)), x);
         }
         sink_.end();
     }
 
     /// A lane of a pack whose pixels are few and already known: take them one by one.
     void draw_dots(const PackSetup& pack, int lane, std::uint32_t entry, std::uint32_t chunk) {
-        const DepthRange<float> incoming{pack.range.min.v[lane], pack.range.max.v[lane]};
-        if (none_passes(depth_.compare, incoming, tile_.whole_range)) return;
         if (tile_.whole) split_tile(tile_);
+        const DepthRange<float> incoming{pack.range.min.v[lane], pack.range.max.v[lane]};
         bool begun = false;
-        TileTriangle t;
         for (std::uint32_t rest = std::uint32_t(pack.covered.v[lane]); rest; rest &= rest - 1) {
             const int k = std::countr_zero(rest);
             const int x = pack.x0.v[lane] + (k & 1), y = pack.y0.v[lane] + (k >> 1);
-            const int block = y / block_size * blocks_per_row + x / block_size, i = y * tile_size + x;
+            const int block = block_of(x, y), i = y * tile_size + x;
             if (tile_.uniform >> block & 1) {
                 if (none_passes(depth_.compare, incoming, tile_.block_range(block))) continue;
                 expand_block(tile_, block, depth_.format);
@@ -109,11 +132,10 @@ public:
             const std::int32_t depth = pack.dot_depth[std::size_t(k)].v[lane];
             if (!depth_passes(depth_.compare, depth, tile_.depth[i])) continue;
             if (!begun) {
-                t = pack.at(lane, entry);
-                sink_.begin(t, chunk);
+                sink_.begin(pack.slot(lane, entry, chunk));
                 begun = true;
             }
-            note_write(block, incoming);
+            stale_ |= std::uint64_t(1) << block;
             if (depth_.write) tile_.depth[i] = depth;
             sink_.pixel(i);
         }
@@ -123,59 +145,54 @@ public:
 private:
     static MaskN inside(IntN e0, IntN e1, IntN e2) { return (e0 | e1 | e2) >= IntN(0); }
 
-    /// Small triangles: every pixel of the box, row by row.
-    void draw_small(const TileTriangle& t) {
-        const int bx0 = t.x0 / block_size, bx1 = t.x1 / block_size, by0 = t.y0 / block_size, by1 = t.y1 / block_size;
-        bool hidden = true;
-        for (int by = by0; by <= by1; ++by)
-            for (int bx = bx0; bx <= bx1; ++bx)
-                hidden = hidden && none_passes(depth_.compare, t.range, tile_.block_range(by * blocks_per_row + bx));
-        if (hidden) return;
-        for (int by = by0; by <= by1; ++by)
-            for (int bx = bx0; bx <= bx1; ++bx) make_single(by * blocks_per_row + bx, t.range);
-        // Rows begin at the box, and before it only where they would leave the tile.
-        const int wide = (t.x1 - t.x0) / native_lanes + 1, left = std::min(t.x0, tile_size - wide * native_lanes);
-        for (int column = 0; column < wide; ++column) draw_rows(t, left + column * native_lanes, t.y0, t.y1);
-    }
+    /// What the columns of a triangle's rows y0 to y1 share: the edges' steps from row to row, and the depth offset.
+    struct Rows {
+        std::array<IntN, 3> down;
+        FloatN offset;
+        int y0, y1;
+    };
 
-    /// The pixels of rows y0 to y1 in the lanes<FloatN> columns from `left` on, which are pixels of the tile. No branch on
-    /// what is covered or passes: nobody could foretell it.
-    void draw_rows(const TileTriangle& t, int left, int y0, int y1) {
-        IntN x = IntN(left) + lane_index<FloatN>(), y(y0);
-        IntN e0 = edge_in_tile(t.edges[0], x, y), e1 = edge_in_tile(t.edges[1], x, y),
-             e2 = edge_in_tile(t.edges[2], x, y);
-        const IntN down0(t.edges[0].step_y), down1(t.edges[1].step_y), down2(t.edges[2].step_y);
-        Column<FloatN> z =
-            column_at(Plane<FloatN>{t.depth.origin, t.depth.dadx, t.depth.dady}, to_float(IntN(tile_.x) + x));
-        FloatN py = to_float(IntN(tile_.y) + y);
-        int i = y0 * tile_size + left;
-        for (int row = y0; row <= y1; ++row) {
-            IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + FloatN(t.depth.offset));
+    /// The pixels of some rows in the lanes<FloatN> columns from `left` on, which are pixels of the tile: e are the edges
+    /// in the first row, z the depths' column. No branch on what is covered or passes: nobody could foretell it.
+    void draw_rows(const Rows& rows, const std::array<IntN, 3>& e, const Column<FloatN>& z_in, int left) {
+        IntN e0 = e[0], e1 = e[1], e2 = e[2];
+        const IntN down0 = rows.down[0], down1 = rows.down[1], down2 = rows.down[2];
+        Column<FloatN> z = z_in;
+        FloatN py = FloatN(float(tile_.y + rows.y0)), offset = rows.offset;
+        const auto owner = sink_.owner();
+        int i = rows.y0 * tile_size + left;
+        for (int row = rows.y0; row <= rows.y1; ++row) {
+            IntN incoming_depth = encode_depth(depth_.format, value_at(z, py) + offset);
             IntN stored = load_int<FloatN>(tile_.depth + i);
             MaskN passed = inside(e0, e1, e2) & depth_passes(depth_.compare, incoming_depth, stored);
             if (depth_.write) store_int(tile_.depth + i, select(passed, incoming_depth, stored));
-            sink_.pack(i, passed);
+            sink_.pack(i, passed, owner);
             e0 = e0 + down0, e1 = e1 + down1, e2 = e2 + down2;
             py = py + FloatN(1.0f);
             i += tile_size;
         }
     }
 
-    static IntN edge_in_tile(const TileEdge& e, IntN x, IntN y) {
-        return IntN(e.origin) + IntN(e.step_x) * x + IntN(e.step_y) * y;
+    static IntN edge_in_tile(const TileEdge& e, IntN x, int y) {
+        return IntN(e.origin + e.step_y * y) + IntN(e.step_x) * x;
     }
 
-    /// Writes a block's pixels out if they are not, and readies its range for some of them to change.
-    void make_single(int block, DepthRange<float> incoming) {
-        if (tile_.uniform >> block & 1) expand_block(tile_, block, depth_.format);
-        note_write(block, incoming);
+    /// The blocks of a box of pixels, as bits.
+    static std::uint64_t blocks_between(int x0, int y0, int x1, int y1) {
+        const auto block = [](int pixel) { return std::uint32_t(pixel) / block_size; };
+        constexpr std::uint32_t last = blocks_per_row - 1;
+        const std::uint64_t row = (0xffu << block(x0)) & (0xffu >> (last - block(x1)));
+        const std::uint64_t none = 0;
+        return (row * first_column) & (~none << block(y0) * blocks_per_row) &
+               (~none >> (last - block(y1)) * blocks_per_row);
     }
 
-    /// Keeps the ranges true when some of a block's pixels change.
-    void note_write(int block, DepthRange<float> incoming) {
-        if (!depth_.write) return;
-        tile_.set_block_range(block, merged(depth_.compare, incoming, tile_.block_range(block)));
-        tile_.whole_range = merged(depth_.compare, incoming, tile_.whole_range);
+    /// Blocks that lost single pixels since they were measured keep their ranges: these are still bounds on the side that
+    /// none_passes looks at, since depths move to one side only in a draw. all_pass wants the other.
+    void measure_stale_blocks() {
+        if (stale_ == 0 || !depth_.write) return;
+        for (; stale_; stale_ &= stale_ - 1) measure_block(tile_, std::countr_zero(stale_));
+        measure_tile(tile_);
     }
 
     /// Large triangles: lanes<FloatN> blocks beside each other at once, each rejected or accepted as a whole where edges and
@@ -213,10 +230,19 @@ private:
                 rest &= ~bits;
             }
         }
+        const Rows rows{{IntN(t.edges[0].step_y), IntN(t.edges[1].step_y), IntN(t.edges[2].step_y)}, plane.offset, y,
+                        y + last};
         for (; rest; rest &= rest - 1) {
             const int block = first + std::countr_zero(rest);
             if (tile_.uniform >> block & 1) expand_block(tile_, block, depth_.format);
-            for (int c = 0; c < block_size; c += native_lanes) draw_rows(t, block_x(block) + c, y, y + last);
+            for (int c = 0; c < block_size; c += native_lanes) {
+                const int left = block_x(block) + c;
+                const IntN px = IntN(left) + lane_index<FloatN>();
+                draw_rows(rows,
+                          {edge_in_tile(t.edges[0], px, y), edge_in_tile(t.edges[1], px, y),
+                           edge_in_tile(t.edges[2], px, y)},
+                          column_at(static_cast<const Plane<FloatN>&>(plane), to_float(IntN(tile_.x) + px)), left);
+            }
             if (depth_.write) measure_block(tile_, block);
         }
     }
@@ -224,6 +250,7 @@ private:
     TileBuffer& tile_;
     const Depth& depth_;
     Sink& sink_;
+    std::uint64_t stale_ = 0;  ///< one bit a block
 };
 
 /// Gathers the entries of all bins of one tile, in order.
@@ -253,25 +280,34 @@ inline void raster_tile(const DrawContext& draw, std::span<const ChunkBins> chun
                 large |= 1u << lane;
             } else {
                 const auto v = draw.corners(some[lane].entry);
-                for (std::size_t k = 0; k < 3; ++k) places[k].v[int(lane)] = std::int32_t(v[k] - draw.first_vertex);
+                for (std::size_t k = 0; k < 3; ++k) places[k].v[int(lane)] = std::int32_t(v[k]);
             }
         }
-        if (large != (1u << some.size()) - 1)
+        const std::uint32_t all = (1u << some.size()) - 1;
+        std::uint32_t rest = all;
+        if (large != all) {
+            // Lanes without a triangle of this kind take the first vertex.
+            for (IntN& p : places) p = max(p - IntN(std::int32_t(draw.first_vertex)), IntN(0));
             set_up_pack(pack, &draw.window[0].x, places, draw.state, depth.format, tile.x, tile.y, draw.width,
                         draw.height);
-        for (std::size_t lane = 0; lane < some.size(); ++lane) {
-            const auto [chunk, entry] = some[lane];
+            rest &= large | raster.may_pass(pack);
+        }
+        for (; rest; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            const auto [chunk, entry] = some[std::size_t(lane)];
             if (large >> lane & 1) {
                 const LargeTriangle& in_target = chunks[chunk].large[entry & ~large_bit];
                 TileTriangle t = box_of_large(in_target, depth.format, tile.x, tile.y);
                 if (raster.hides(t)) continue;
                 place_edges(in_target, tile.x, tile.y, t);
                 t.entry = entry;
-                raster.draw(t, chunk);
+                raster.draw_large(t, chunk);
             } else if (pack.dots >> lane & 1) {
-                raster.draw_dots(pack, int(lane), entry, chunk);
+                raster.draw_dots(pack, lane, entry, chunk);
+            } else if (pack.small >> lane & 1) {
+                raster.draw_small(pack, lane, entry, chunk);
             } else {
-                raster.draw(pack.at(int(lane), entry), chunk);
+                raster.draw_large(pack.at(lane, entry), chunk);
             }
         }
     }

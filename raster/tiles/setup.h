@@ -62,7 +62,9 @@ inline void place_edges(const LargeTriangle& large, int tile_x, int tile_y, Tile
 /// measured from the tile so that 32 bits suffice: steps are below 2^14 and positions below 2^15, so that the sum of two
 /// products is below 2^31.
 struct PackSetup {
-    std::uint32_t dots;  ///< lanes that touch at most 2 x 2 pixel centres; `covered` and `dot_depth` are theirs
+    std::uint32_t with_pixels;  ///< lanes whose boxes hold any
+    std::uint32_t dots;   ///< lanes that touch at most 2 x 2 pixel centres; `covered` and `dot_depth` are theirs
+    std::uint32_t small;  ///< lanes of less than two blocks' extent; `left` and `starts` are theirs
     std::uint32_t front_facing;
     IntN x0, y0, x1, y1;
     std::array<Edge<FloatN>, 3> edges;
@@ -71,6 +73,13 @@ struct PackSetup {
     DepthRange<FloatN> range;
     IntN covered;                   ///< bit 0: pixel (x0, y0), bit 1: one to the right, bits 2 and 3: the row below
     std::array<IntN, 4> dot_depth;  ///< encoded, of those pixels
+    IntN left;                      ///< where rows of packs begin: at the box, and before it where they would leave the tile
+    std::array<IntN, 3> starts;     ///< the edges at (left, y0)
+
+    Slot slot(int lane, std::uint32_t entry, std::uint32_t chunk) const {
+        return {{{depth.origin.v[lane], depth.dadx.v[lane], depth.dady.v[lane]}, depth.offset.v[lane]}, chunk, entry,
+                bool(front_facing >> lane & 1)};
+    }
 
     TileTriangle at(int lane, std::uint32_t entry) const {
         TileTriangle t;
@@ -113,6 +122,11 @@ inline void set_up_pack(PackSetup& r, const float* windows, const std::array<Int
                           absolute(tile_y, r.y1));
 
     const IntN columns = r.x1 - r.x0, rows = r.y1 - r.y0;
+    r.with_pixels = bitmask((columns >= IntN(0)) & (rows >= IntN(0)));
+    r.small = bitmask((columns < IntN(2 * block_size)) & (rows < IntN(2 * block_size)));
+    r.left = min(r.x0, IntN(tile_size - native_lanes) - (columns & IntN(-native_lanes)));
+    for (std::size_t i = 0; i < 3; ++i)
+        r.starts[i] = r.origins[i] + r.edges[i].step_x * r.left + r.edges[i].step_y * r.y0;
     r.dots = bitmask((columns <= IntN(1)) & (rows <= IntN(1)));
     if (r.dots) {
         r.covered = covered_2x2(r.edges, r.origins, r.x0, r.y0, columns, rows);

@@ -88,8 +88,7 @@ inline void write_row(Target& target, std::size_t first, std::uint32_t bits, Ble
     }
 }
 
-/// Pixels of an 8 x 8 block as a mask: bit 8 r + c is the pixel in row r and column c.
-inline constexpr std::uint64_t first_column = 0x0101010101010101u;
+/// The first pixels of a row as bits, a pack of them.
 inline constexpr std::uint64_t pack_bits = (1u << native_lanes) - 1;
 
 /// Whether a block's pixels are shaded row by row, because the rows are well filled; else pixels from anywhere in the block

@@ -19,6 +19,9 @@ inline constexpr int block_size = 8;
 inline constexpr int blocks_per_row = tile_size / block_size;
 inline constexpr int block_count = blocks_per_row * blocks_per_row;
 
+/// The first column of a block's pixels as bits, or of a tile's blocks: bit 8 r + c is the one in row r and column c.
+inline constexpr std::uint64_t first_column = 0x0101010101010101u;
+
 /// The depths and owners of a tile's pixels. A uniform block's pixels all belong to one slot, and are not written until
 /// something else touches the block: full-screen triangles that hide each other then cost a few instructions a block.
 struct TileBuffer {
@@ -44,6 +47,7 @@ struct TileBuffer {
 
 inline int block_x(int block) { return block % blocks_per_row * block_size; }
 inline int block_y(int block) { return block / blocks_per_row * block_size; }
+inline int block_of(int x, int y) { return y / block_size * blocks_per_row + x / block_size; }
 inline int first_pixel_of_block(int block) { return block_y(block) * tile_size + block_x(block); }
 
 /// Whether a block has pixels of the target.
