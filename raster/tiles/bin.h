@@ -70,11 +70,18 @@ struct DrawContext {
     /// Whether the vertex was shaded; numbers below the first wrap to large ones.
     bool exists(std::uint32_t vertex) const { return vertex - first_vertex < window.size(); }
 
+    /// Where a vertex's position is, or would be.
+    const void* window_of(std::uint32_t vertex) const {
+        const std::uintptr_t zero = std::uintptr_t(window.data()) - std::uintptr_t(first_vertex) * sizeof window[0];
+        return reinterpret_cast<const void*>(zero + std::uintptr_t(vertex) * sizeof window[0]);
+    }
     /// Asks for the corners of the pack of triangles a few packs after the one at `start`.
     void prefetch_corners(std::size_t start) const {
         const std::size_t first = 3 * (start + 4 * std::size_t(native_lanes)), count = 3 * std::size_t(native_lanes);
         if (state.topology != Topology::triangles || first + count > indices.size()) return;
-        for (const std::uint32_t v : indices.subspan(first, count)) prefetch(window.data() + (v - first_vertex));
+        const std::uint32_t* const next = indices.data() + first;
+#pragma GCC unroll 24
+        for (std::size_t i = 0; i < count; ++i) prefetch(window_of(next[i]));
     }
 
     /// Asks for what the entries of later packs need: corners of the next but one, indices of some after it.
@@ -85,8 +92,7 @@ struct DrawContext {
             if (const std::uint32_t e = entries[far + i].entry; !(e & large_bit))
                 prefetch(indices.data() + 3 * std::size_t(e));
             if (const std::uint32_t e = entries[near + i].entry; !(e & large_bit))
-                for (const std::uint32_t v : indices.subspan(3 * std::size_t(e), 3))
-                    prefetch(window.data() + (v - first_vertex));
+                for (const std::uint32_t v : indices.subspan(3 * std::size_t(e), 3)) prefetch(window_of(v));
         }
     }
 
