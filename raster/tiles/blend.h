@@ -13,6 +13,8 @@ public:
     virtual void begin(const Slot& slot) = 0;
     /// The pixels of `mask`, as shade_block takes them, in the block at pixel (x, y) of the target.
     virtual void shade(int x, int y, std::uint64_t mask) = 0;
+    /// All pixels of `blocks` blocks beside each other, the first of them there.
+    virtual void shade_run(int x, int y, int blocks) = 0;
 
 protected:
     ~TriangleShader() = default;
@@ -36,6 +38,10 @@ public:
     void shade(int x, int y, std::uint64_t mask) override {
         if (color_) return fill_block(target_, context_.draw.state.blend, *color_, x, y, mask);
         shade_block(context_.shader, planes_, target_, context_.draw.state.blend, x, y, mask);
+    }
+    void shade_run(int x, int y, int blocks) override {
+        if (color_) return fill_run(target_, context_.draw.state.blend, *color_, x, y, blocks);
+        tiles::shade_run(context_.shader, planes_, target_, context_.draw.state.blend, x, y, blocks);
     }
 
 private:

@@ -1,50 +1,59 @@
-// fill.cpp: rows of a block, a pack at a time, by a blend that is known when the loop is compiled.
+// fill.cpp: rows of blocks, a pack at a time, by a blend that is known when the loop is compiled.
 #include <raster/tiles/fill.h>
 
-#include <algorithm>
 #include <bit>
+#include <type_traits>
 
 namespace raster::tiles {
 
 namespace {
 
-template <Blend blend>
-void fill(Target& target, std::uint32_t color, int x, int y, std::uint64_t mask) {
-    std::uint32_t* const to = target.raw_color8() + target.index(x, y);
-    const std::size_t stride = std::size_t(target.width());
-    if (x + block_size > target.width()) {
-        for (std::uint64_t rest = mask; rest; rest &= rest - 1) {
-            const std::size_t i = std::size_t(std::countr_zero(rest));
-            std::uint32_t& pixel = to[i / block_size * stride + i % block_size];
-            pixel = blend_rgba8(blend, color, pixel);
-        }
-        return;
+/// Calls function with the blend as a constant.
+template <class Function>
+void with_constant(Blend blend, const Function& function) {
+    switch (blend) {
+        case Blend::off: return function(std::integral_constant<Blend, Blend::off>());
+        case Blend::source_over: return function(std::integral_constant<Blend, Blend::source_over>());
+        case Blend::additive: return function(std::integral_constant<Blend, Blend::additive>());
     }
-    const IntN source{std::int32_t(color)};
-    const bool whole = mask == ~std::uint64_t(0);
-    for (std::size_t row = 0; row < block_size; ++row)
-        for (std::size_t c = 0; c < block_size; c += native_lanes) {
-            const std::uint32_t bits = std::uint32_t(mask >> (row * block_size + c)) & ((1u << native_lanes) - 1);
-            if (bits == 0) continue;
-            std::uint32_t* const p = to + row * stride + c;
-            const IntN before = load_int<FloatN>(p), after = blend_rgba8(blend, source, before);
-            store_int(p, whole ? after : select(mask_of_bits<FloatN>(bits), after, before));
-        }
+}
+
+/// Blocks at the right edge of the target, where packs may reach beyond it.
+template <class I>
+void fill_pixels(I blend, Target& target, std::uint32_t color, int x, int y, std::uint64_t mask) {
+    for (; mask; mask &= mask - 1) {
+        const int i = std::countr_zero(mask);
+        std::uint32_t& pixel = target.raw_color8()[target.index(x + i % block_size, y + i / block_size)];
+        pixel = blend_rgba8(blend(), color, pixel);
+    }
 }
 
 }  // namespace
 
 void fill_block(Target& target, Blend blend, std::uint32_t color, int x, int y, std::uint64_t mask) {
-    switch (blend) {
-        case Blend::off: return fill<Blend::off>(target, color, x, y, mask);
-        case Blend::source_over: return fill<Blend::source_over>(target, color, x, y, mask);
-        case Blend::additive: return fill<Blend::additive>(target, color, x, y, mask);
-    }
+    with_constant(blend, [&](auto constant) {
+        if (x + block_size > target.width()) return fill_pixels(constant, target, color, x, y, mask);
+        const IntN source{std::int32_t(color)};
+        for (int row = 0; row < block_size; ++row)
+            for (int c = 0; c < block_size; c += native_lanes) {
+                const std::uint32_t bits = std::uint32_t(mask >> (row * block_size + c)) & ((1u << native_lanes) - 1);
+                if (bits == 0) continue;
+                std::uint32_t* const p = target.raw_color8() + target.index(x + c, y + row);
+                const IntN before = load_int<FloatN>(p);
+                store_int(p, select(mask_of_bits<FloatN>(bits), blend_rgba8(constant(), source, before), before));
+            }
+    });
 }
 
-void fill_run(Target& target, std::uint32_t color, int x, int y, int width) {
-    for (int row = y; row < y + block_size; ++row)
-        std::fill_n(target.raw_color8() + target.index(x, row), std::size_t(width), color);
+void fill_run(Target& target, Blend blend, std::uint32_t color, int x, int y, int blocks) {
+    with_constant(blend, [&](auto constant) {
+        const IntN source{std::int32_t(color)};
+        for (int row = y; row < y + block_size; ++row) {
+            std::uint32_t* p = target.raw_color8() + target.index(x, row);
+            for (const std::uint32_t* const end = p + blocks * block_size; p < end; p += native_lanes)
+                store_int(p, blend_rgba8(constant(), source, load_int<FloatN>(p)));
+        }
+    });
 }
 
 }  // namespace raster::tiles

@@ -9,7 +9,7 @@ namespace raster::tiles {
 /// `mask` holds pixels of the target only, bit 8 r + c for row r and column c.
 void fill_block(Target& target, Blend blend, std::uint32_t color, int x, int y, std::uint64_t mask);
 
-/// Writes it over whole blocks beside each other, `width` pixels of the target.
-void fill_run(Target& target, std::uint32_t color, int x, int y, int width);
+/// The same for all pixels of `blocks` blocks beside each other.
+void fill_run(Target& target, Blend blend, std::uint32_t color, int x, int y, int blocks);
 
 }  // namespace raster::tiles

@@ -1,6 +1,8 @@
 // raster.cpp: what becomes of a tile's pixels that pass: opaque draws remember the triangle, others shade and blend at once.
 #include <raster/tiles/raster.h>
 
+#include <algorithm>
+
 #include <raster/tiles/blend.h>
 #include <raster/tiles/scissor.h>
 
@@ -33,31 +35,49 @@ public:
     static constexpr bool remembers = false;
 
     BlendSink(TileBuffer& tile, const PixelBox& limits, TriangleShader& shader)
-        : SlotMaker(tile), limits_(limits), shader_(shader) {}
+        : SlotMaker(tile),
+          limits_(limits),
+          tile_in_limits_(limits.contains(tile.x, tile.y) &&
+                          limits.contains(tile.x + tile_size - 1, tile.y + tile_size - 1)),
+          shader_(shader) {}
 
     IntN owner() const { return IntN(0); }
     void pack(int i, MaskN passed, IntN) { add(i, bitmask(passed)); }
     void pixel(int i) { add(i, 1); }
     /// All pixels of the block at (x, y) of the tile.
     void block(int x, int y) {
-        const int b = y / block_size * blocks_per_row + x / block_size;
+        const int b = block_of(x, y);
         touched_ |= std::uint64_t(1) << b;
         pixels_[b] = ~std::uint64_t(0);
     }
     void end() {
         if (touched_ == 0) return;
         shader_.begin(triangle_);
-        for (; touched_; touched_ &= touched_ - 1) {
+        while (touched_) {
             const int b = std::countr_zero(touched_), x = tile_.x + block_x(b), y = tile_.y + block_y(b);
-            shader_.shade(x, y, pixels_[b] & pixels_in(limits_, x, y));
-            pixels_[b] = 0;
+            const int blocks = whole_from(b);
+            if (blocks > 0) {
+                shader_.shade_run(x, y, blocks);
+            } else {
+                shader_.shade(x, y, pixels_[b] & pixels_in(limits_, x, y));
+            }
+            for (int i = b; i < b + std::max(blocks, 1); ++i) pixels_[i] = 0, touched_ &= ~(std::uint64_t(1) << i);
         }
     }
 
 private:
+    /// How many blocks from this one to the end of its row are to be shaded wholly.
+    int whole_from(int block) const {
+        if (!tile_in_limits_) return 0;
+        const int most = blocks_per_row - block % blocks_per_row;
+        int count = 0;
+        while (count < most && pixels_[block + count] == ~std::uint64_t(0)) ++count;
+        return count;
+    }
+
     /// At most 8 neighbours in a row, the first at tile pixel i.
     void add(int i, std::uint32_t bits) {
-        const int x = i % tile_size, y = i / tile_size, b = y / block_size * blocks_per_row + x / block_size;
+        const int x = i % tile_size, y = i / tile_size, b = block_of(x, y);
         const std::uint32_t here = bits << x % block_size & 0xff, beyond = bits >> (block_size - x % block_size);
         touched_ |= std::uint64_t(here != 0) << b;
         pixels_[b] |= std::uint64_t(here) << y % block_size * block_size;
@@ -68,6 +88,7 @@ private:
     }
 
     const PixelBox& limits_;
+    const bool tile_in_limits_;
     TriangleShader& shader_;
     std::uint64_t touched_ = 0;  ///< one bit a block
     std::uint64_t pixels_[block_count] = {};

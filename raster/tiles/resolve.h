@@ -52,7 +52,7 @@ void resolve_color(const ShadingContext<S>& context, Workspace& workspace, Targe
             const std::int32_t owner = tile.block_slot[block];
             if (owner == 0) continue;
             if (const int alike = blocks_alike(tile, target, block); alike > 0) {
-                shade_run(context.shader, planes[owner], target, x, y, alike * block_size / native_lanes);
+                shade_run(context.shader, planes[owner], target, Blend::off, x, y, alike);
                 block += alike - 1;
             } else {
                 shade_block(context.shader, planes[owner], target, Blend::off, x, y, in_target);

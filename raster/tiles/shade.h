@@ -169,21 +169,22 @@ RASTER_FLATTEN void shade_block(const S& shader_in, const ShadingPlanes<S>& plan
     }
 }
 
-/// Shades all pixels of neighbouring blocks in a row, `packs` packs wide, that show one triangle: row by row, so that
-/// memory is written in the order of its addresses, and that of textures read so where they lie level.
+/// Shades all pixels of `blocks` neighbouring blocks in a row of one triangle: row by row, so that memory is written in the
+/// order of its addresses, and that of textures read so where they lie level.
 template <HasFragment S>
-RASTER_FLATTEN void shade_run(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, int x, int y,
-                              int packs) {
+RASTER_FLATTEN void shade_run(const S& shader_in, const ShadingPlanes<S>& planes_in, Target& target, Blend blend, int x,
+                              int y, int blocks) {
     S shader = shader_in;
     ShadingPlanes<S> planes = planes_in;
     if (const auto color = constant_color(shader, planes, target))
-        return fill_run(target, *color, x, y, packs * native_lanes);
+        return fill_run(target, blend, *color, x, y, blocks);
+    const int packs = blocks * block_size / native_lanes;
     ShadingColumn<S, FloatN> columns[tile_size / native_lanes];
     for (int p = 0; p < packs; ++p)
         columns[p] = ShadingColumn<S, FloatN>(planes, to_float(IntN(x + p * native_lanes) + lane_index<FloatN>()));
     for (int row = y; row < y + block_size; row += 2)
         for (int p = 0; p < packs; ++p)
-            shade_two_rows(shader, twice(columns[p]), target, Blend::off, x + p * native_lanes, row,
+            shade_two_rows(shader, twice(columns[p]), target, blend, x + p * native_lanes, row,
                            std::uint32_t(pack_bits), row + 1, std::uint32_t(pack_bits));
 }
 
