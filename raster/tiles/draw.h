@@ -16,9 +16,16 @@
 
 namespace raster::tiles {
 
-/// Triangles a chunk, and chunks a batch. A batch is binned and drawn before the next begins, which bounds memory.
+/// The most triangles of a chunk, and the most chunks of a batch. A batch is binned and drawn before the next begins, which
+/// bounds memory.
 inline constexpr std::size_t chunk_triangles = 8192;
 inline constexpr std::size_t batch_chunks = 512;
+
+/// How many triangles of a draw make a chunk: some sixteenth, so that threads share small draws as well.
+inline std::size_t triangles_a_chunk(std::size_t triangles) {
+    constexpr std::size_t least = 32;
+    return std::clamp((triangles / 16 + least - 1) / least * least, least, chunk_triangles);
+}
 
 /// The range of vertices to shade: from the smallest to the largest number that an index list names among those that exist.
 /// All of them where the list is so long that looking would cost as much.
@@ -168,17 +175,18 @@ DrawCounts draw(Target& target, const S& shader, const Mesh<typename S::template
                               drawable_pixels(state, target.width(), target.height()), target.depth_format()};
 
     constexpr std::size_t batch = chunk_triangles * batch_chunks;
+    const std::size_t a_chunk = triangles_a_chunk(triangles);
     for (std::size_t first = 0; first < triangles; first += batch) {
         const std::size_t end = std::min(first + batch, triangles);
-        const std::size_t chunk_count = (end - first + chunk_triangles - 1) / chunk_triangles;
+        const std::size_t chunk_count = (end - first + a_chunk - 1) / a_chunk;
         if (scratch.chunks.size() < chunk_count) scratch.chunks.resize(chunk_count);
         std::vector<std::vector<std::array<VaryingArray<S>, 3>>> piece_varyings(chunk_count);
         std::vector<DrawCounts> chunk_counts(chunk_count);
         parallel_for(chunk_count, [&](std::size_t c) {
-            const std::size_t begin = first + c * chunk_triangles;
+            const std::size_t begin = first + c * a_chunk;
             ShaderClipper<S> clipper(context, shader, mesh.vertices, piece_varyings[c]);
             chunk_counts[c] =
-                bin_chunk(context, clipper, begin, std::min(begin + chunk_triangles, end), scratch.chunks[c]);
+                bin_chunk(context, clipper, begin, std::min(begin + a_chunk, end), scratch.chunks[c]);
         });
         for (const DrawCounts& c : chunk_counts) counts += c;
 
