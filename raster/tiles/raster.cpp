@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <raster/tiles/blend.h>
+#include <raster/tiles/entries.h>
 #include <raster/tiles/scissor.h>
 
 namespace raster::tiles {
