@@ -174,10 +174,8 @@ TEST(PngRuns, PackedPixelsGiveTheSamePicture) {
             const raster::PackedImage packed{width, height, pixels, has_alpha};
             EXPECT_TRUE(check_image(packed));
             EXPECT_EQ(unpacked(packed), image) << width << "x" << height;
-            EXPECT_TRUE(*raster::encode_png_fast(packed) == *raster::encode_png_fast(image)) << width << "x" << height;
             pixels.pop_back();
             EXPECT_FALSE(check_image(raster::PackedImage{width, height, pixels, has_alpha}));
-            EXPECT_FALSE(raster::encode_png_fast(raster::PackedImage{width, height, pixels, has_alpha}));
         }
     EXPECT_FALSE(check_image(raster::PackedImage{0, 5, {}, false}));
     EXPECT_FALSE(check_image(raster::PackedImage{-1, -1, {}, false}));

@@ -1,4 +1,4 @@
-// png.cpp: stb_image_write with libdeflate behind its hook; and a writer of what it does not write, or not fast.
+// png.cpp: stb_image_write, with libdeflate or pack_runs behind its hook; and what it does not write.
 #include <raster/image/png.h>
 
 #include <libdeflate.h>
@@ -28,8 +28,29 @@ namespace {
 constexpr int deflate_level = 1;
 constexpr int filter_up = 2;
 
+/// Of the picture that this thread is about to have stb write the fast way.
+struct FastRows {
+    std::size_t row_bytes;
+    int pixel_bytes;
+};
+thread_local const FastRows* fast_rows = nullptr;
+
+/// pack_runs, for stb.
+unsigned char* compress_fast(std::span<const unsigned char> rows, FastRows fast, int* compressed_size) try {
+    const Bytes packed = pack_runs(rows, fast.row_bytes, fast.pixel_bytes);
+    auto* const block = static_cast<unsigned char*>(std::malloc(packed.size()));
+    if (block) std::memcpy(block, packed.data(), packed.size());
+    *compressed_size = int(packed.size());
+    return block;
+} catch (const std::bad_alloc&) {  // stb could not free its memory if it passed through
+    return nullptr;
+}
+
 /// `size` bytes as a zlib stream (RFC 1950), or nullptr when memory is short. Has the form stb expects.
 unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int /*stb's level*/) {
+    // Taken before the packer waits for other threads: in the meantime this one may be given another picture to write.
+    if (const FastRows* const fast = std::exchange(fast_rows, nullptr))
+        return compress_fast({data, std::size_t(size)}, *fast, compressed_size);
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(deflate_level), libdeflate_free_compressor);
     if (!compressor) return nullptr;
@@ -175,81 +196,39 @@ Status check_image(const PackedImage& image) {
     return Done{};
 }
 
-namespace {
-
-/// Packed pixels less those above, byte by byte, as RGB or RGBA.
-void write_differences(const std::uint32_t* row, const std::uint32_t* above, int width, int channels,
-                       std::uint8_t* to) {
-    int x = 0;
-#if defined(__SSSE3__) && RASTER_VECTOR_EXTENSIONS  // has one instruction for the shuffle
-    using Pixels = std::uint8_t __attribute__((vector_size(16)));
-    // What is written behind the fourth is overwritten by the next ones.
-    for (Pixels four, less; x + 5 < width; x += 4, to += 4 * channels) {
-        std::memcpy(&four, row + x, sizeof four);
-        std::memcpy(&less, above + x, sizeof less);
-        four -= less;
-        if (channels == 3)
-            four = __builtin_shufflevector(four, four, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
-        std::memcpy(to, &four, sizeof four);
-    }
-#endif
-    for (; x < width; ++x)
-        for (int shift = 0; shift < 8 * channels; shift += 8)
-            *to++ = std::uint8_t((row[x] >> shift) - (above[x] >> shift));
-}
-
-/// `write_row` writes rows of samples of 8 bits less those above. Throws std::bad_alloc.
-Bytes encode_differences(int width, int height, int channels, const RowWriter& write_row) {
-    const std::size_t row_bytes = 1 + std::size_t(width) * std::size_t(channels);
-    const Bytes packed = pack_runs(height, row_bytes, channels, [&](int y, std::uint8_t* row) {
-        row[0] = filter_up;
-        write_row(y, row + 1);
-    });
-    const auto header = image_header(width, height, 8, color_types[channels - 1]);
-    PngFile file{packed.size()};
-    file.chunk("IHDR", header.data(), header.size());
-    file.chunk("IDAT", packed.data(), packed.size());
-    file.chunk("IEND", nullptr, 0);
-    return file.take();
-}
-
-}  // namespace
-
 Image8 unpacked(const PackedImage& image) {
     Image8 result(image.width, image.height, image.has_alpha ? 4 : 3);
-    const std::vector<std::uint32_t> zeros(std::size_t(image.width));
     tiles::parallel_for(std::size_t(image.height), [&](std::size_t y) {
-        write_differences(&image.pixels[y * zeros.size()], zeros.data(), image.width, result.channels,
-                          result.pixel(0, int(y)));
+        const std::uint32_t* pixel = image.pixels.data() + y * std::size_t(image.width);
+        const std::uint32_t* const last = pixel + image.width - 1;
+        std::uint8_t* to = result.pixel(0, int(y));
+        // What is written behind a pixel is overwritten by the next ones.
+#if defined(__SSSE3__) && RASTER_VECTOR_EXTENSIONS  // has one instruction for this
+        using Pixels = std::uint8_t __attribute__((vector_size(16)));
+        for (; result.channels == 3 && last - pixel > 4; pixel += 4, to += 12) {
+            Pixels four;
+            std::memcpy(&four, pixel, sizeof four);
+            four = __builtin_shufflevector(four, four, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
+            std::memcpy(to, &four, sizeof four);
+        }
+#endif
+        for (; pixel != last; ++pixel, to += result.channels) {
+            const std::uint8_t bytes[] = {std::uint8_t(*pixel), std::uint8_t(*pixel >> 8), std::uint8_t(*pixel >> 16),
+                                          std::uint8_t(*pixel >> 24)};
+            std::memcpy(to, bytes, 4);
+        }
+        for (int c = 0; c < result.channels; ++c) to[c] = std::uint8_t(*last >> (8 * c));
     });
     return result;
 }
 
-Result<Bytes> encode_png_fast(const Image8& image) try {
-    if (const Status status = check_image(image); !status) return status.error();
-    const std::size_t bytes = std::size_t(image.width) * std::size_t(image.channels);
-    return encode_differences(image.width, image.height, image.channels, [&](int y, std::uint8_t* to) {
-        const std::uint8_t* const row = image.pixel(0, y);
-        if (y == 0) {
-            std::memcpy(to, row, bytes);
-        } else {
-            for (std::size_t i = 0; i < bytes; ++i) to[i] = std::uint8_t(row[i] - row[i - bytes]);
-        }
-    });
-} catch (const std::bad_alloc&) {
-    return no_memory();
-}
-
-Result<Bytes> encode_png_fast(const PackedImage& image) try {
-    if (const Status status = check_image(image); !status) return status.error();
-    const int channels = image.has_alpha ? 4 : 3;
-    const std::vector<std::uint32_t> zeros(std::size_t(image.width));
-    return encode_differences(image.width, image.height, channels, [&](int y, std::uint8_t* to) {
-        const std::uint32_t* const row = &image.pixels[std::size_t(y) * zeros.size()];
-        write_differences(row, y > 0 ? row - image.width : zeros.data(), image.width, channels, to);
-    });
-} catch (const std::bad_alloc&) {
-    return no_memory();
+Result<Bytes> encode_png_fast(const Image8& image) {
+    const FastRows rows{1 + std::size_t(image.width) * std::size_t(image.channels), image.channels};
+    struct Reset {
+        ~Reset() { fast_rows = nullptr; }
+    } at_the_end;
+    fast_rows = &rows;
+    return encode_png(image);
 }
 
 Result<Bytes> encode_png(const IndexedImage& image) {

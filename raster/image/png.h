@@ -1,4 +1,4 @@
-// png.h: PNG files out of images, by stb_image_write for 8 bits packed well and a small writer of our own for the rest.
+// png.h: PNG files out of images, by stb_image_write for 8 bits and a small writer of our own for the rest.
 #pragma once
 
 #include <array>
@@ -42,7 +42,6 @@ Result<Bytes> encode_png(const Image16& image);
 /// The same picture, packed fast, by runs of bytes and pixels only and on all threads: 3 to 8 ms on two cores where
 /// encode_png takes 20 to 30, for 0.95 to 1.5 times the bytes (pictures of 1920x1080).
 Result<Bytes> encode_png_fast(const Image8& image);
-Result<Bytes> encode_png_fast(const PackedImage& image);
 /// A third of the bytes of RGB to pack, by the fast way. Every index has its colour.
 Result<Bytes> encode_png(const IndexedImage& image);
 

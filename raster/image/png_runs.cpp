@@ -282,6 +282,7 @@ Bytes pack_tokens(std::span<const Token> tokens, int pixel) {
 struct Band {
     Bytes packed;
     std::uint32_t adler = 1;
+    std::size_t size = 0;
 };
 
 /// The Adler-32 of two pieces, from those of each (RFC 1950, 8.2).
@@ -295,30 +296,28 @@ std::uint32_t joined(std::uint32_t first, std::uint32_t second, std::size_t seco
 
 }  // namespace
 
-Bytes pack_runs(int rows, std::size_t row_bytes, int pixel_bytes, const RowWriter& write_row) {
+Bytes pack_runs(std::span<const std::uint8_t> rows, std::size_t row_bytes, int pixel_bytes) {
     constexpr std::size_t band_bytes = 1 << 18;
-    const int band_rows = int(std::max<std::size_t>(band_bytes / row_bytes, 1));
-    const auto rows_of = [&](std::size_t i) { return std::min(band_rows, rows - int(i) * band_rows); };
-    std::vector<Band> bands(std::size_t((rows + band_rows - 1) / band_rows));
+    const std::size_t band_size = std::max<std::size_t>(band_bytes / row_bytes, 1) * row_bytes;
+    std::vector<Band> bands((rows.size() + band_size - 1) / band_size);
     tiles::parallel_for(bands.size(), [&](std::size_t i) {
         Band& band = bands[i];
+        const auto of_band = rows.subspan(i * band_size, std::min(band_size, rows.size() - i * band_size));
         // As many as there can be; what is not written costs nothing.
-        const std::unique_ptr<Token[]> tokens(new Token[std::size_t(rows_of(i)) * row_bytes]);
+        const std::unique_ptr<Token[]> tokens(new Token[of_band.size()]);
         Token* end = tokens.get();
         std::vector<std::uint8_t> row(row_bytes + slack);
-        for (int y = 0; y < rows_of(i); ++y) {
-            write_row(int(i) * band_rows + y, row.data());
+        for (std::size_t at = 0; at < of_band.size(); at += row_bytes) {
+            std::memcpy(row.data(), of_band.data() + at, row_bytes);
             end = find_tokens(row[0], row.data() + 1, int(row_bytes) - 1, pixel_bytes, end);
-            band.adler = libdeflate_adler32(band.adler, row.data(), row_bytes);
         }
+        band.adler = libdeflate_adler32(1, of_band.data(), of_band.size());
+        band.size = of_band.size();
         band.packed = pack_tokens({tokens.get(), end}, pixel_bytes);
     });
     std::uint32_t adler = 1;
     std::size_t size = 0;
-    for (std::size_t i = 0; i < bands.size(); ++i) {
-        adler = joined(adler, bands[i].adler, std::size_t(rows_of(i)) * row_bytes);
-        size += bands[i].packed.size();
-    }
+    for (const Band& band : bands) adler = joined(adler, band.adler, band.size), size += band.packed.size();
     Bytes out;
     out.reserve(size + 8);
     const auto append = [&](std::initializer_list<std::uint32_t> bytes) {
@@ -333,10 +332,10 @@ Bytes pack_runs(int rows, std::size_t row_bytes, int pixel_bytes, const RowWrite
 
 Bytes pack_runs(const Image8& image) {
     const std::size_t bytes = std::size_t(image.width) * std::size_t(image.channels);
-    return pack_runs(image.height, 1 + bytes, image.channels, [&](int y, std::uint8_t* row) {
-        row[0] = 0;
-        std::memcpy(row + 1, image.pixel(0, y), bytes);
-    });
+    std::vector<std::uint8_t> rows((1 + bytes) * std::size_t(image.height));
+    for (int y = 0; y < image.height; ++y)
+        std::memcpy(&rows[std::size_t(y) * (1 + bytes) + 1], image.pixel(0, y), bytes);
+    return pack_runs(rows, 1 + bytes, image.channels);
 }
 
 }  // namespace raster

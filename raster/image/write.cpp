@@ -75,10 +75,8 @@ Status write_image(const std::string& path, const PackedImage& image) {
     const Result<OutputFormat> format = output_format(path, OutputFormat::png);
     if (!format) return format.error();
     try {
-        if (*format != OutputFormat::png)
-            return write_image(path, unpacked({image.width, image.height, image.pixels, false}));
-        const Result<Bytes> bytes = encode_png_fast(image);
-        return bytes ? write_file(path, *bytes) : bytes.error();
+        const bool with_alpha = image.has_alpha && *format == OutputFormat::png;
+        return write_image(path, unpacked({image.width, image.height, image.pixels, with_alpha}));
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::input_output, path + ": not enough memory to encode the picture"};
     }
