@@ -2,7 +2,7 @@
 //
 //      vertices   shade and project every vertex                    tiles/vertices.h
 //      bin        triangles to the tiles that they may touch        tiles/bin.h
-//      tiles      each tile alone, its triangles in order           tiles/raster.h, then resolve.h or blend.h
+//      tiles      each tile alone, its triangles in order           tiles/entries.h, raster.h, then resolve.h or blend.h
 #pragma once
 
 #include <algorithm>
