@@ -81,23 +81,13 @@ struct Uniform {
 };
 
 /// A colour a triangle: no varying changes across it.
-struct Facets {
-    template <class F>
-    using Vertex = Full::Vertex<F>;
-    template <class F>
-    struct Varyings {
-        vec<4, F> color;
-    };
+struct Facets : Smooth {
     template <class F>
     struct Outputs {
         vec<4, F> color;
         F red;
     };
     static constexpr Interpolation interpolation(int) { return Interpolation::flat; }
-    template <class F>
-    VertexOut<F, Varyings> vertex(const Vertex<F>& v) const {
-        return {v.position, {v.color}};
-    }
     template <class F>
     Outputs<F> fragment(const Varyings<F>& in) const {
         return {in.color, in.color.x};
