@@ -19,20 +19,19 @@ void with_constant(Blend blend, const Function& function) {
 }
 
 /// Blocks at the right edge of the target, where packs may reach beyond it.
-template <class I>
-void fill_pixels(I blend, Target& target, std::uint32_t color, int x, int y, std::uint64_t mask) {
+void fill_pixels(Target& target, Blend blend, std::uint32_t color, int x, int y, std::uint64_t mask) {
     for (; mask; mask &= mask - 1) {
         const int i = std::countr_zero(mask);
         std::uint32_t& pixel = target.raw_color8()[target.index(x + i % block_size, y + i / block_size)];
-        pixel = blend_rgba8(blend(), color, pixel);
+        pixel = blend_rgba8(blend, color, pixel);
     }
 }
 
 }  // namespace
 
 void fill_block(Target& target, Blend blend, std::uint32_t color, int x, int y, std::uint64_t mask) {
+    if (x + block_size > target.width()) return fill_pixels(target, blend, color, x, y, mask);
     with_constant(blend, [&](auto constant) {
-        if (x + block_size > target.width()) return fill_pixels(constant, target, color, x, y, mask);
         const IntN source{std::int32_t(color)};
         for (int row = 0; row < block_size; ++row)
             for (int c = 0; c < block_size; c += native_lanes) {
